@@ -1,0 +1,186 @@
+#include "action.h"
+
+#include <string.h>
+
+#include "brush.h"
+
+static const char *const EDGES[] = {"hard", "soft", "ragged", NULL};
+static const char *const OVERS[] = {"respect", "run", NULL};
+static const char *const READINGS[] = {"towards dark", "along edges", "vectors", NULL};
+
+#define FIELD(field) offsetof(struct action, field)
+#define NUMBER(field, unit, min, max, def, text)                                                                       \
+    {                                                                                                                  \
+#field, KEY_NUMBER, unit, min, max, def, NULL, FIELD(field), false, text                                       \
+    }
+#define VALUE(field, text)                                                                                             \
+    {                                                                                                                  \
+#field, KEY_NUMBER, "as the coefficient", -100, 1000, 0, NULL, FIELD(field), false, text                       \
+    }
+#define CHOICE(field, list, def, text)                                                                                 \
+    {                                                                                                                  \
+#field, KEY_CHOICE, "", 0, 0, def, list, FIELD(field), false, text                                             \
+    }
+#define AT(need, text)                                                                                                 \
+    {                                                                                                                  \
+        "at", KEY_POINT, "0..1 of the sheet", 0, 1, 0, NULL, FIELD(at), need, text                                     \
+    }
+#define PATH(need)                                                                                                     \
+    {                                                                                                                  \
+        "path", KEY_PATH, "0..1 of the sheet", 0, 1, 0, NULL, FIELD(path), need, "The stroke, point by point."         \
+    }
+#define FORMULA(text)                                                                                                  \
+    {                                                                                                                  \
+        "formula", KEY_RASTER, "", 0, 0, 0, NULL, FIELD(formula), false, text                                          \
+    }
+#define PICTURE(text)                                                                                                  \
+    {                                                                                                                  \
+        "picture", KEY_PICTURE, "", 0, 0, 0, NULL, FIELD(picture), false, text                                         \
+    }
+#define INK                                                                                                            \
+    {                                                                                                                  \
+        "ink", KEY_INK, "", 0, 0, 0, NULL, FIELD(ink), false, "One of the inks of the session; the first if left out." \
+    }
+#define BRUSH                                                                                                          \
+    {                                                                                                                  \
+        "brush", KEY_BRUSH, "", 0, 0, -1, NULL, FIELD(brush), false,                                                   \
+            "A named way of growing, stamped around the drop."                                                         \
+    }
+#define INVERT                                                                                                         \
+    {                                                                                                                  \
+        "invert", KEY_FLAG, "", 0, 1, 0, NULL, FIELD(invert), false, "Swap inside and outside."                        \
+    }
+#define RADIUS(def, text) NUMBER(radius, "cells", 0.5, 512, def, text)
+#define END                                                                                                            \
+    {                                                                                                                  \
+        .name = NULL                                                                                                   \
+    }
+
+static const struct key DROP[] = {
+    AT(true, "Where the drop falls."),
+    INK,
+    RADIUS(8, "Radius of the drop; 6 to 12 are good."),
+    NUMBER(solvent, "density per cell", 0, 1000, 60, "Solvent: decides how far the growth reaches."),
+    NUMBER(amount, "density per cell", 0, 1000, 30, "Ink."),
+    CHOICE(edge, EDGES, EDGE_HARD, "A hard disc, a soft one, or a ragged seed."),
+    BRUSH,
+    NUMBER(reach, "cells", 8, 1024, 160, "How far around the drop its brush is stamped."),
+    END,
+};
+static const struct key BRUSH_SOLVENT[] = {
+    PATH(true),
+    RADIUS(6, "Half the width of the stroke."),
+    NUMBER(amount, "density per cell", 0, 1000, 10, "Solvent laid down."),
+    END,
+};
+static const struct key BRUSH_INK[] = {
+    PATH(true),
+    INK,
+    RADIUS(6, "Half the width of the stroke."),
+    NUMBER(amount, "density per cell", 0, 1000, 10, "Ink laid down."),
+    END,
+};
+static const struct key DRAW[] = {
+    PATH(true),
+    INK,
+    RADIUS(1.5, "Half the width of the line."),
+    NUMBER(amount, "optical thickness", 0, 4, 1, "How dark the line is."),
+    CHOICE(over, OVERS, OVER_RESPECT, "Whether growth respects the line or may run over it."),
+    END,
+};
+static const struct key GUIDE[] = {
+    PATH(false),
+    FORMULA("Two expressions in x and y: the field."),
+    PICTURE("A picture to take the field from."),
+    CHOICE(reading, READINGS, READ_TOWARDS_DARK, "How a picture becomes a field."),
+    RADIUS(30, "Half the width of the stroke; it fades to nothing there."),
+    NUMBER(strength, "", -3, 3, 1, "Length of the field; negative turns it round; 0 wipes it."),
+    END,
+};
+static const struct key POUR[] = {
+    AT(true, "Middle of the disc."),
+    RADIUS(30, "Radius of the disc."),
+    END,
+};
+#define REGION                                                                                                         \
+    AT(false, "Middle of a disc."), PATH(false), FORMULA("Where the expression in x and y is not zero."),              \
+        PICTURE("Where the picture is dark."), INVERT,                                                                 \
+        RADIUS(10, "Radius of the disc, or half the width of the stroke.")
+static const struct key MASK[] = {REGION, END};
+static const struct key UNMASK[] = {REGION, END};
+static const struct key DRY[] = {
+    AT(false, "Middle of a disc; the whole sheet if left out."),
+    RADIUS(30, "Radius of the disc."),
+    NUMBER(amount, "share", 0, 1, 1, "Share of pigment, solvent and ink that dries."),
+    END,
+};
+static const struct key WET[] = {
+    AT(false, "Middle of a disc; the whole sheet if left out."),
+    RADIUS(30, "Radius of the disc."),
+    NUMBER(solvent, "density per cell", 0, 100, 0.5, "Solvent that comes with it, where the ground is carved."),
+    NUMBER(amount, "share", 0, 1, 1, "Share of the dry pigment that loosens."),
+    END,
+};
+static const struct key SET[] = {
+    {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, FIELD(coefficient), true, "The coefficient to set."},
+    VALUE(value, "Its value; must lie in the coefficient's own range."),
+    VALUE(to, "With a picture or a formula: the value where that is 1; `value` is where it is 0."),
+    FORMULA("An expression in x and y, 0 to 1."),
+    PICTURE("A picture, dark to bright."),
+    NUMBER(vary, "share", 0, 1, 0, "Smooth random variation around the value (figure 1)."),
+    NUMBER(size, "cells", 4, 512, 60, "Size of the features of that variation."),
+    AT(false, "Middle of a disc; the whole sheet if left out."),
+    RADIUS(60, "Radius of the disc; it fades over its outer half."),
+    END,
+};
+static const struct key CLEAR[] = {END};
+
+static const struct {
+    const char *name, *meaning;
+    const struct key *keys;
+} VERBS[ACTION_VERBS] = {
+    [ACTION_DROP] = {"drop", "A drop of ink and solvent that starts to grow.", DROP},
+    [ACTION_BRUSH_SOLVENT] = {"brush_solvent", "Solvent along a stroke: what is there grows and flows on.",
+                              BRUSH_SOLVENT},
+    [ACTION_BRUSH_INK] = {"brush_ink", "Ink along a stroke: it flows where there is pattern.", BRUSH_INK},
+    [ACTION_DRAW] = {"draw", "A dry line of ink that does not grow.", DRAW},
+    [ACTION_GUIDE] = {"guide", "A field that growth follows.", GUIDE},
+    [ACTION_POUR] = {"pour", "Fresh white ground over what has grown, which grows back inwards.", POUR},
+    [ACTION_MASK] = {"mask", "An obstacle that growth does not enter.", MASK},
+    [ACTION_UNMASK] = {"unmask", "Takes obstacles away; all of them where no region is given.", UNMASK},
+    [ACTION_DRY] = {"dry", "Dries pigment, solvent and ink at once.", DRY},
+    [ACTION_WET] = {"wet", "Loosens dry pigment and wets the pattern.", WET},
+    [ACTION_SET] = {"set", "Sets a coefficient, everywhere, in a disc, or varying over the sheet.", SET},
+    [ACTION_CLEAR] = {"clear", "A fresh sheet.", CLEAR},
+};
+
+const struct key *action_keys(enum action_verb verb)
+{
+    return VERBS[verb].keys;
+}
+
+const char *action_name(enum action_verb verb)
+{
+    return VERBS[verb].name;
+}
+
+const char *action_meaning(enum action_verb verb)
+{
+    return VERBS[verb].meaning;
+}
+
+enum action_verb action_find(const char *name)
+{
+    int verb = 0;
+    while (verb < ACTION_VERBS && strcmp(VERBS[verb].name, name) != 0) {
+        verb++;
+    }
+    return (enum action_verb)verb;
+}
+
+struct action action_default(enum action_verb verb)
+{
+    struct action action = {.verb = verb, .brush = BRUSH_NONE};
+    key_defaults(VERBS[verb].keys, &action);
+    return action;
+}

@@ -1,0 +1,104 @@
+#include "key.h"
+
+#include <string.h>
+
+#include "action.h"
+
+const struct key *key_find(const struct key *keys, const char *name)
+{
+    for (; keys->name; keys++) {
+        if (strcmp(keys->name, name) == 0) {
+            return keys;
+        }
+    }
+    return NULL;
+}
+
+int key_count(const struct key *keys)
+{
+    int count = 0;
+    while (keys[count].name) {
+        count++;
+    }
+    return count;
+}
+
+enum { LONGEST_NAME = 31 };
+
+/* Levenshtein distance of two names of at most LONGEST_NAME characters. */
+static int distance(const char *a, const char *b)
+{
+    int row[LONGEST_NAME + 1];
+    int columns = (int)strlen(b);
+    for (int j = 0; j <= columns; j++) {
+        row[j] = j;
+    }
+    for (int i = 1; a[i - 1]; i++) {
+        int diagonal = row[0];
+        row[0] = i;
+        for (int j = 1; j <= columns; j++) {
+            int best = diagonal + (a[i - 1] != b[j - 1]);
+            best = row[j] + 1 < best ? row[j] + 1 : best;
+            best = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
+            diagonal = row[j];
+            row[j] = best;
+        }
+    }
+    return row[columns];
+}
+
+const char *key_suggest(const struct key *keys, const char *misspelt)
+{
+    const char *nearest = NULL;
+    int length = (int)strlen(misspelt);
+    int least = 4;
+    if (length > LONGEST_NAME) {
+        return NULL;
+    }
+    for (; keys->name; keys++) {
+        int d = distance(misspelt, keys->name);
+        if (d < least && 2 * d < length) {
+            least = d;
+            nearest = keys->name;
+        }
+    }
+    return nearest;
+}
+
+void key_defaults(const struct key *keys, void *object)
+{
+    for (; keys->name; keys++) {
+        char *at = (char *)object + keys->offset;
+        switch (keys->type) {
+        case KEY_NUMBER: {
+            float value = (float)keys->initial;
+            memcpy(at, &value, sizeof value);
+            break;
+        }
+        case KEY_INTEGER:
+        case KEY_CHOICE:
+        case KEY_INK:
+        case KEY_BRUSH:
+        case KEY_COEFFICIENT: {
+            int value = (int)keys->initial;
+            memcpy(at, &value, sizeof value);
+            break;
+        }
+        case KEY_FLAG: {
+            bool value = keys->initial != 0;
+            memcpy(at, &value, sizeof value);
+            break;
+        }
+        case KEY_POINT:
+            memset(at, 0, sizeof(struct point));
+            break;
+        case KEY_PATH:
+            memset(at, 0, sizeof(struct action_path));
+            break;
+        case KEY_RASTER:
+        case KEY_PICTURE:
+            memset(at, 0, sizeof(struct action_raster));
+            break;
+        }
+    }
+}

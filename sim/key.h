@@ -1,0 +1,46 @@
+/* A named value: the one description of it that scripts, `check`, `explain`, the README and the on-screen dials share.
+ */
+#ifndef FROND_KEY_H
+#define FROND_KEY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum key_type {
+    KEY_NUMBER,  /* float */
+    KEY_INTEGER, /* int */
+    KEY_FLAG,    /* bool */
+    KEY_CHOICE,  /* int: index into choices */
+    KEY_POINT,   /* struct point: [x, y] in 0..1 of the sheet, x to the right and y down */
+    KEY_PATH,    /* struct action_path: at least one point */
+    KEY_INK,     /* int: index into the inks of the session; written as the ink's name */
+    KEY_BRUSH,   /* int: index into brushes[] (brush.h); -1 none; written as the brush's name */
+    KEY_RASTER,  /* struct action_raster, from a formula in x and y: an expression, or [expression, expression] for a
+                    vector */
+    KEY_PICTURE, /* struct action_raster, from a picture: a path relative to the file that names it */
+    KEY_COEFFICIENT, /* int: index into coefficient_keys[] (coefficients.h); written as the coefficient's name */
+};
+
+struct key {
+    const char *name;
+    enum key_type type;
+    const char *unit;           /* "" where there is none */
+    double min, max;            /* inclusive; of KEY_NUMBER and KEY_INTEGER (and of each coordinate of a point) */
+    double initial;             /* the default; flags and choices as integers */
+    const char *const *choices; /* of KEY_CHOICE, ends with NULL; else NULL */
+    size_t offset;              /* of the value in the struct that the table describes */
+    bool required;
+    const char *meaning; /* one sentence for a curator */
+};
+
+/* The key called `name`, or NULL. `keys` ends with a key whose name is NULL. */
+const struct key *key_find(const struct key *keys, const char *name);
+/* The number of keys before the end of the table. */
+int key_count(const struct key *keys);
+/* The name in the table nearest to a misspelt one (edit distance at most 3, and less than half its length), or NULL. */
+const char *key_suggest(const struct key *keys, const char *misspelt);
+/* Fills every KEY_NUMBER, KEY_INTEGER, KEY_FLAG, KEY_CHOICE, KEY_INK, KEY_BRUSH and KEY_COEFFICIENT of `object` with
+ * its default; paths and rasters are made empty. */
+void key_defaults(const struct key *keys, void *object);
+
+#endif
