@@ -4,6 +4,7 @@
 #include "kernel.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "portable.h"
 
@@ -28,32 +29,38 @@
     _Pragma("GCC ivdep") for (int x = x##_block; x < x##_block + LANES; x++)
 #endif
 
+/* Whether any of some floats is not zero, by their bits: an OR is cheaper than a size and a maximum. */
+static inline uint32_t bits_of(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
 /* One link of eq. 11 in flux form: what crosses, t, is antisymmetric in its two ends, so mass is conserved to rounding.
  * t is rounded to multiples of q (departure: a dead band that lets liquid come to rest). */
-#define LINK(h, from, back, row, shift, open_row, first, open_own)                                                     \
+#define LINK(h, from, back, row, shift, gate_row, gate, gate_shift, first, first_gate)                                 \
     float h;                                                                                                           \
     {                                                                                                                  \
-        float gate = 0.5f * (open_own + open_row[x + (shift)]);                                                        \
-        gate = gate > 0.0f ? gate : 0.0f;                                                                              \
         float bounced = here[((first) + (back)) * RING + x];                                                           \
-        float t = gate * (row[((first) + (from)) * RING + x + (shift)] - bounced);                                     \
+        float t = gate_row[((first_gate) + (gate)) * RING + x + (gate_shift)] *                                        \
+                  (row[((first) + (from)) * RING + x + (shift)] - bounced);                                            \
         t = (t + round) - round;                                                                                       \
-        float size = fabsf(t);                                                                                         \
-        most = most > size ? most : size;                                                                              \
+        crossed |= bits_of(t);                                                                                         \
         h = bounced + t;                                                                                               \
     }
 
 /* Streaming of one fluid (eq. 8, 11): populations h##0..8, density h##_rho, momentum h##_x, h##_y. */
-#define STREAM(h, first, open_own, up, own, down)                                                                      \
-    float h##0 = here[(first)*RING + x];                                                                               \
-    LINK(h##1, 1, 3, here, -1, own, first, open_own)                                                                   \
-    LINK(h##2, 2, 4, above, 0, up, first, open_own)                                                                    \
-    LINK(h##3, 3, 1, here, 1, own, first, open_own)                                                                    \
-    LINK(h##4, 4, 2, below, 0, down, first, open_own)                                                                  \
-    LINK(h##5, 5, 7, above, -1, up, first, open_own)                                                                   \
-    LINK(h##6, 6, 8, above, 1, up, first, open_own)                                                                    \
-    LINK(h##7, 7, 5, below, 1, down, first, open_own)                                                                  \
-    LINK(h##8, 8, 6, below, -1, down, first, open_own)                                                                 \
+#define STREAM(h, first, gates)                                                                                        \
+    float h##0 = here[(first) * RING + x];                                                                             \
+    LINK(h##1, 1, 3, here, -1, gates_here, GATE_LEFT, 0, first, gates)                                                 \
+    LINK(h##2, 2, 4, above, 0, gates_here, GATE_UP, 0, first, gates)                                                   \
+    LINK(h##3, 3, 1, here, 1, gates_here, GATE_LEFT, 1, first, gates)                                                  \
+    LINK(h##4, 4, 2, below, 0, gates_below, GATE_UP, 0, first, gates)                                                  \
+    LINK(h##5, 5, 7, above, -1, gates_here, GATE_UP_LEFT, 0, first, gates)                                             \
+    LINK(h##6, 6, 8, above, 1, gates_here, GATE_UP_RIGHT, 0, first, gates)                                             \
+    LINK(h##7, 7, 5, below, 1, gates_below, GATE_UP_LEFT, 1, first, gates)                                             \
+    LINK(h##8, 8, 6, below, -1, gates_below, GATE_UP_RIGHT, -1, first, gates)                                          \
     float h##_rho = ((h##0 + (h##1 + h##3)) + (h##2 + h##4)) + ((h##5 + h##7) + (h##6 + h##8));                        \
     float h##_x = ((h##1 - h##3) + (h##5 - h##7)) + (h##8 - h##6);                                                     \
     float h##_y = ((h##2 - h##4) + (h##5 - h##7)) + (h##6 - h##8);
@@ -63,14 +70,14 @@
     value = value < (least) ? (least) : value;
 
 /* A cell that nothing entered or left keeps its populations to the bit. */
-#define STORE(field, value) out[(field)*RING + x] = moved > 0.0f ? (value) : here[(field)*RING + x];
+#define STORE(field, value) out[(field) * RING + x] = moved > 0.0f ? (value) : here[(field) * RING + x];
 
-#define PAIR(h, i, j, weight, along, first)                                                                            \
+#define PAIR(h, i, j, rest, even_psi, odd_psi, along, first)                                                           \
     {                                                                                                                  \
         float e_u = along;                                                                                             \
-        float even = weight * (h##_rho + psi * (4.5f * (e_u * e_u) - u_u)), odd = (3.0f * weight) * (psi * e_u);       \
-        STORE((first) + (i), keep * h##i + (even + odd))                                                               \
-        STORE((first) + (j), keep * h##j + (even - odd))                                                               \
+        float even = rest + even_psi * (e_u * e_u), odd = odd_psi * e_u;                                               \
+        STORE((first) + (i), keep *h##i + (even + odd))                                                                \
+        STORE((first) + (j), keep *h##j + (even - odd))                                                                \
     }
 
 /* Collision (eq. 9, 10) with psi of section 4.2; `u`, `v` is momentum over mean density 1. */
@@ -78,12 +85,15 @@
     {                                                                                                                  \
         float s = h##_rho * inverse_mu;                                                                                \
         CLAMP(s, 0.0f, 1.0f)                                                                                           \
-        float psi = (s * s) * (3.0f - 2.0f * s), u_u = 1.5f * (u * u + v * v);                                         \
-        STORE((first), keep *h##0 + w_rest * (h##_rho - psi * u_u))                                                    \
-        PAIR(h, 1, 3, w_axis, u, first)                                                                                \
-        PAIR(h, 2, 4, w_axis, v, first)                                                                                \
-        PAIR(h, 5, 7, w_diagonal, (u + v), first)                                                                      \
-        PAIR(h, 6, 8, w_diagonal, (v - u), first)                                                                      \
+        float psi = (s * s) * (3.0f - 2.0f * s);                                                                       \
+        float still = h##_rho - psi * (1.5f * (u * u + v * v));                                                        \
+        float axis = w_axis * still, axis_even = (4.5f * w_axis) * psi, axis_odd = (3.0f * w_axis) * psi;              \
+        float diagonal = 0.25f * axis, diagonal_even = 0.25f * axis_even, diagonal_odd = 0.25f * axis_odd;             \
+        STORE((first), keep *h##0 + 4.0f * axis)                                                                       \
+        PAIR(h, 1, 3, axis, axis_even, axis_odd, u, first)                                                             \
+        PAIR(h, 2, 4, axis, axis_even, axis_odd, v, first)                                                             \
+        PAIR(h, 5, 7, diagonal, diagonal_even, diagonal_odd, (u + v), first)                                           \
+        PAIR(h, 6, 8, diagonal, diagonal_even, diagonal_odd, (v - u), first)                                           \
     }
 
 /* One LBM step of both fluids, coupled (eq. 7-12).
@@ -92,28 +102,25 @@
 static void fluid(const struct fluid_row *row)
 {
     const float *restrict above = row->above, *restrict here = row->here, *restrict below = row->below;
-    const float *restrict solvent_up = row->open_above, *restrict solvent_own = row->open_here,
-                          *restrict solvent_down = row->open_below;
-    const float *restrict ink_up = solvent_up + RING, *restrict ink_own = solvent_own + RING,
-                          *restrict ink_down = solvent_down + RING;
+    const float *restrict gates_here = row->gates_here, *restrict gates_below = row->gates_below;
+    const float *restrict solvent_open = row->gates_here + OPEN_SOLVENT * RING,
+                          *restrict ink_open = row->gates_here + OPEN_INK * RING;
     float *restrict out = row->out;
     float *restrict density = row->flow, *restrict flow_u = row->flow + FLOW_U * RING,
                     *restrict flow_v = row->flow + FLOW_V * RING, *restrict flow_moved = row->flow + FLOW_MOVED * RING;
     int32_t *restrict changed = row->changed;
     const float round = row->round, inverse_mu = row->inverse_mu, gamma = row->gamma;
-    const float omega = row->omega, keep = 1.0f - omega;
-    const float w_rest = omega * (4.0f / 9), w_axis = omega * (1.0f / 9), w_diagonal = omega * (1.0f / 36);
+    const float omega = row->omega, keep = 1.0f - omega, w_axis = omega * (1.0f / 9);
     const int begin = row->begin, end = row->end;
     FOR_CELLS(x, begin, end)
     {
-        float most = 0.0f, solvent_open = solvent_own[x], ink_open = ink_own[x];
-        STREAM(f, FLUID_SOLVENT, solvent_open, solvent_up, solvent_own, solvent_down)
-        float solvent_moved = most;
-        most = 0.0f;
-        STREAM(g, FLUID_INK, ink_open, ink_up, ink_own, ink_down)
-        float ink_moved = most;
-        float drag_f = (solvent_open > 0.0f ? solvent_open : 0.0f) * gamma;
-        float drag_g = (ink_open > 0.0f ? ink_open : 0.0f) * gamma;
+        uint32_t crossed = 0;
+        STREAM(f, FLUID_SOLVENT, GATE_SOLVENT)
+        float solvent_moved = crossed << 1 ? 1.0f : 0.0f;
+        crossed = 0;
+        STREAM(g, FLUID_INK, GATE_INK)
+        float ink_moved = crossed << 1 ? 1.0f : 0.0f;
+        float drag_f = solvent_open[x] * gamma, drag_g = ink_open[x] * gamma;
         float fu = f_x + drag_f * (g_x - f_x), fv = f_y + drag_f * (g_y - f_y);
         float gu = g_x + drag_g * (f_x - g_x), gv = g_y + drag_g * (f_y - g_y);
         CLAMP(fu, -0.35f, 0.35f)
@@ -128,7 +135,7 @@ static void fluid(const struct fluid_row *row)
             float moved = ink_moved;
             COLLIDE(g, FLUID_INK, gu, gv)
         }
-        flow_moved[x] = ink_moved > 0.0f ? 1.0f : 0.0f;
+        flow_moved[x] = ink_moved;
         changed[x] |= (solvent_moved + ink_moved) > 0.0f;
         density[x] = f_rho;
         /* Departure: pigment travels with flux over density; by eq. 14 alone it stays in the drop. */
@@ -142,7 +149,35 @@ static void fluid(const struct fluid_row *row)
     }
 }
 
-#define OPEN(value)             ((value) > 0.0f ? (value) : 0.0f)
+#define GATE(mine, near_row, shift) (0.5f * ((mine) + (near_row)[x + (shift)]))
+#define STORE_GATE(number, value)                                                                                      \
+    {                                                                                                                  \
+        float gate = value;                                                                                            \
+        made[(number) * RING + x] = gate > 0.0f ? gate : 0.0f;                                                         \
+    }
+#define GATES(first, mine, own, up)                                                                                    \
+    STORE_GATE((first) + GATE_LEFT, GATE(mine, own, -1))                                                               \
+    STORE_GATE((first) + GATE_UP, GATE(mine, up, 0))                                                                   \
+    STORE_GATE((first) + GATE_UP_LEFT, GATE(mine, up, -1))                                                             \
+    STORE_GATE((first) + GATE_UP_RIGHT, GATE(mine, up, 1))
+
+static void gates(const struct gates_row *row)
+{
+    const float *restrict solvent_up = row->above, *restrict solvent_own = row->here;
+    const float *restrict ink_up = row->above + RING, *restrict ink_own = row->here + RING;
+    float *restrict made = row->gates;
+    const int begin = row->begin, end = row->end;
+    FOR_CELLS(x, begin, end)
+    {
+        float solvent = solvent_own[x], ink = ink_own[x];
+        GATES(GATE_SOLVENT, solvent, solvent_own, solvent_up)
+        GATES(GATE_INK, ink, ink_own, ink_up)
+        STORE_GATE(OPEN_SOLVENT, solvent)
+        STORE_GATE(OPEN_INK, ink)
+    }
+}
+
+#define POSITIVE(value)             ((value) > 0.0f ? (value) : 0.0f)
 #define TAP(row, shift, weight) weight *(row)[x + (shift)]
 #define CARRY(n)                                                                                                       \
     {                                                                                                                  \
@@ -162,8 +197,9 @@ static void pigment(const struct fluid_row *row)
 {
     const float *restrict wet_above = row->above + FLUID_WET * RING, *restrict wet_here = row->here + FLUID_WET * RING,
                           *restrict wet_below = row->below + FLUID_WET * RING;
-    const float *restrict open_up = row->open_above + RING, *restrict open_own = row->open_here + RING,
-                          *restrict open_down = row->open_below + RING;
+    const float *restrict open_up = row->gates_above + OPEN_INK * RING,
+                          *restrict open_own = row->gates_here + OPEN_INK * RING,
+                          *restrict open_down = row->gates_below + OPEN_INK * RING;
     const float *restrict flow_u = row->flow + FLOW_U * RING, *restrict flow_v = row->flow + FLOW_V * RING,
                           *restrict flow_moved = row->flow + FLOW_MOVED * RING;
     float *restrict wet_out = row->out + FLUID_WET * RING;
@@ -171,15 +207,15 @@ static void pigment(const struct fluid_row *row)
     FOR_CELLS(x, begin, end)
     {
         float u = flow_u[x], v = flow_v[x];
-        float left = OPEN(u), right = OPEN(-u), middle = 1.0f - (left + right);
-        float up = OPEN(v), down = OPEN(-v), level = 1.0f - (up + down);
-        float own = OPEN(open_own[x]);
-        float w_ul = (up * left) * OPEN(open_up[x - 1]), w_uc = (up * middle) * OPEN(open_up[x]);
-        float w_ur = (up * right) * OPEN(open_up[x + 1]);
-        float w_l = (level * left) * OPEN(open_own[x - 1]), w_c = (level * middle) * own;
-        float w_r = (level * right) * OPEN(open_own[x + 1]);
-        float w_dl = (down * left) * OPEN(open_down[x - 1]), w_dc = (down * middle) * OPEN(open_down[x]);
-        float w_dr = (down * right) * OPEN(open_down[x + 1]);
+        float left = POSITIVE(u), right = POSITIVE(-u), middle = 1.0f - (left + right);
+        float up = POSITIVE(v), down = POSITIVE(-v), level = 1.0f - (up + down);
+        float own = open_own[x];
+        float w_ul = (up * left) * open_up[x - 1], w_uc = (up * middle) * open_up[x];
+        float w_ur = (up * right) * open_up[x + 1];
+        float w_l = (level * left) * open_own[x - 1], w_c = (level * middle) * own;
+        float w_r = (level * right) * open_own[x + 1];
+        float w_dl = (down * left) * open_down[x - 1], w_dc = (down * middle) * open_down[x];
+        float w_dr = (down * right) * open_down[x + 1];
         float sum = ((w_ul + w_ur) + (w_dl + w_dr)) + ((w_uc + w_dc) + (w_l + w_r)) + w_c;
         sum = own > 0.0f ? sum : 0.0f;
         sum = sum * flow_moved[x];
@@ -376,4 +412,4 @@ static void fluid_end(const float *restrict density, float *restrict stored, con
     }
 }
 
-const struct kernels KERNELS = {fluid, pigment, rates, pattern, pattern_full, power, pattern_end, fluid_end};
+const struct kernels KERNELS = {gates, fluid, pigment, rates, pattern, pattern_full, power, pattern_end, fluid_end};

@@ -23,10 +23,17 @@ enum {
     FLUID_FIELDS = FLUID_WET + INKS,
 };
 
-/* Openness 1 - kappa of the two fluids (section 4.2), behind the fluids in a ring row. CLOSED is an obstacle or the
- * wall. */
-enum { OPEN_SOLVENT = 0, OPEN_INK = 1, OPEN_FIELDS = 2 };
-#define CLOSED (-4.0f)
+/* What the links of a row let through, made once a tick. Openness is 1 - kappa (section 4.2) clamped to 0..1; a gate is the
+ * mean openness of the two ends of a link: from the left, from above, from above left, from above right. */
+enum {
+    GATE_SOLVENT = 0,
+    GATE_INK = 4,
+    OPEN_SOLVENT = 8,
+    OPEN_INK = 9,
+    GATE_FIELDS = 10,
+};
+enum { GATE_LEFT, GATE_UP, GATE_UP_LEFT, GATE_UP_RIGHT };
+#define CLOSED (-4.0f) /* openness of an obstacle or the wall while gates are made: no mean with it is above 0 */
 
 enum {
     PATTERN_ACTIVE,
@@ -46,7 +53,7 @@ enum { FLOW_DENSITY, FLOW_U, FLOW_V, FLOW_MOVED, FLOW_FIELDS };
 struct fluid_row {
     int begin, end;
     const float *above, *here, *below;                /* [FLUID_FIELDS][RING] */
-    const float *open_above, *open_here, *open_below; /* [OPEN_FIELDS][RING] */
+    const float *gates_above, *gates_here, *gates_below; /* [GATE_FIELDS][RING]; below: the links to the row below */
     float *out;                                       /* [FLUID_FIELDS][RING] */
     float *flow;                                      /* [FLOW_FIELDS][RING] */
     int32_t *changed;                                 /* |= 1 where a population crossed a link */
@@ -83,7 +90,14 @@ struct pattern_end_row { /* compares old and new of a row, and stores the new */
 };
 enum { PATTERN_CHANGED = 1, PATTERN_ALIVE = 2, PATTERN_OPENED = 4 };
 
+struct gates_row { /* makes the gates between a row and the one above it */
+    int begin, end;
+    const float *above, *here; /* [2][RING], openness of solvent and ink or CLOSED */
+    float *gates;              /* [GATE_FIELDS][RING] */
+};
+
 struct kernels {
+    void (*gates)(const struct gates_row *);
     void (*fluid)(const struct fluid_row *);
     void (*pigment)(const struct fluid_row *);
     void (*rates)(const struct rates_row *);

@@ -48,24 +48,26 @@ static void *take(struct painting *painting, size_t count, size_t size)
 static bool take_rows(struct painting *painting, struct bench_rows *rows)
 {
     rows->fluid = take(painting, (size_t)FLUID_LEVELS * 3 * FLUID_FIELDS * RING, sizeof(float));
-    rows->open = take(painting, (size_t)OPEN_ROWS * OPEN_FIELDS * RING, sizeof(float));
+    rows->gates = take(painting, (size_t)GATE_ROWS * GATE_FIELDS * RING, sizeof(float));
+    rows->open = take(painting, (size_t)2 * 2 * RING, sizeof(float));
     rows->pattern = take(painting, (size_t)PATTERN_LEVELS * 3 * PATTERN_RING_FIELDS * RING, sizeof(float));
     rows->rates = take(painting, (size_t)RATE_ROWS * RATE_FIELDS * RING, sizeof(float));
     rows->flow = take(painting, (size_t)FLOW_FIELDS * RING, sizeof(float));
-    rows->closed = take(painting, (size_t)OPEN_FIELDS * RING, sizeof(float));
+    rows->closed = take(painting, (size_t)2 * RING, sizeof(float));
     rows->changed = take(painting, 2 * (size_t)RING, sizeof(int32_t));
     rows->fed = take(painting, (size_t)RING, sizeof(int32_t));
     rows->unheard = take(painting, (size_t)RING, sizeof(int32_t));
-    for (size_t i = 0; rows->closed && i < (size_t)OPEN_FIELDS * RING; i++) {
+    for (size_t i = 0; rows->closed && i < (size_t)2 * RING; i++) {
         rows->closed[i] = CLOSED;
     }
-    return rows->fluid && rows->open && rows->pattern && rows->rates && rows->flow && rows->closed && rows->changed &&
+    return rows->fluid && rows->gates && rows->open && rows->pattern && rows->rates && rows->flow && rows->closed && rows->changed &&
            rows->fed && rows->unheard;
 }
 
 static void free_rows(struct bench_rows *rows)
 {
     free(rows->fluid);
+    free(rows->gates);
     free(rows->open);
     free(rows->pattern);
     free(rows->rates);

@@ -26,7 +26,12 @@ static float *open_row(const struct fluid_pass *pass, int y)
     if (y < 0 || y >= pass->painting->height) {
         return pass->rows->closed + RING_LEAD;
     }
-    return pass->rows->open + (size_t)(y % OPEN_ROWS) * OPEN_FIELDS * RING + RING_LEAD;
+    return pass->rows->open + (size_t)(y % 2) * 2 * RING + RING_LEAD;
+}
+
+static float *gates_row(const struct fluid_pass *pass, int y)
+{
+    return pass->rows->gates + (size_t)(y % GATE_ROWS) * GATE_FIELDS * RING + RING_LEAD;
 }
 
 static float clamp_unit(float value)
@@ -47,6 +52,19 @@ static void flood(const struct fluid_pass *pass, const float *liquid, const floa
         }
         float open = clamp_unit(rho / threshold - 1.0f) * clamp_unit(2.0f - 4.0f * catalyst[x]);
         ink_open[x] = open > ink_open[x] ? open : ink_open[x];
+    }
+}
+
+/* Gates between row y and the row above; `y` may be the first row beyond the sheet. */
+static void make_gates(const struct fluid_pass *pass, int y)
+{
+    struct gates_row make = {.end = pass->span.to - pass->span.from,
+                             .above = open_row(pass, y - 1),
+                             .here = open_row(pass, y),
+                             .gates = gates_row(pass, y)};
+    pass->painting->kernels->gates(&make);
+    for (int field = 0; field < GATE_FIELDS; field++) {
+        make.gates[field * RING - 1] = make.gates[field * RING + make.end] = 0.0f;
     }
 }
 
@@ -130,9 +148,9 @@ static void compute_row(struct fluid_pass *pass, int step, int y)
     kernel->above = level_row(pass, step - 1, above);
     kernel->here = level_row(pass, step - 1, y);
     kernel->below = level_row(pass, step - 1, below);
-    kernel->open_above = open_row(pass, y - 1);
-    kernel->open_here = open_row(pass, y);
-    kernel->open_below = open_row(pass, y + 1);
+    kernel->gates_above = gates_row(pass, y + GATE_ROWS - 1);
+    kernel->gates_here = gates_row(pass, y);
+    kernel->gates_below = gates_row(pass, y + 1);
     kernel->out = level_row(pass, step, y);
     kernel->begin = last ? pass->run->x0 - pass->span.from : 0;
     kernel->end =
@@ -187,6 +205,7 @@ static void sweep_run(void *context, int piece, int member)
             halo_load(painting, &pass.layout, pass.run, s, level_row(&pass, 0, s));
             make_open(&pass, s);
         }
+        make_gates(&pass, s);
         for (int step = 1; step <= pass.steps; step++) {
             int y = s - step, reach = pass.steps - step;
             if (y >= pass.run->y0 - reach && y < pass.run->y1 + reach && y >= 0 && y < painting->height) {

@@ -21,15 +21,16 @@ enum obstacle { OBSTACLE_MASK = 1, OBSTACLE_LINE = 2 };
 /* Scratch of one thread. */
 struct bench_rows {
     float *fluid;           /* [LEVELS][3][FLUID_FIELDS][RING] */
-    float *open;            /* [OPEN_ROWS][OPEN_FIELDS][RING] */
+    float *gates;           /* [GATE_ROWS][GATE_FIELDS][RING] */
+    float *open;            /* [2][2][RING], openness of solvent and ink, of the last two rows */
     float *pattern;         /* [LEVELS][3][PATTERN_RING_FIELDS][RING] */
     float *rates;           /* [RATE_ROWS][RATE_FIELDS][RING] */
     float *flow;            /* [FLOW_FIELDS][RING]; the pattern's sums */
-    float *closed;          /* [RATE_FIELDS][RING] of CLOSED: beyond the sheet */
+    float *closed;          /* [2][RING] of CLOSED: beyond the sheet */
     int32_t *changed;       /* [2][RING] */
     int32_t *fed, *unheard; /* [RING] */
 };
-enum { FLUID_LEVELS = 4 + 1, PATTERN_LEVELS = 8 + 1, OPEN_ROWS = 8, RATE_ROWS = 16 };
+enum { FLUID_LEVELS = 4 + 1, PATTERN_LEVELS = 8 + 1, GATE_ROWS = 8, RATE_ROWS = 16 };
 
 /* Coefficients that vary over the sheet, one map each in the units of kernel.h. */
 enum map { MAP_ALPHA_A, MAP_XI, MAP_BETA_A, MAP_S_MAX, MAP_ALPHA_Y, MAPS };
