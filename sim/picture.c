@@ -207,6 +207,7 @@ void picture_draw(struct picture *picture, const struct picture_planes *planes, 
         picture->layer[LAYER_INK + i] = inked >> i & 1 ? ink : NULL;
     }
     picture->layer[LAYER_LINE] = inked >> INK_PALETTE & 1 ? picture->own[LAYER_LINE] : NULL;
+    picture->layer[LAYER_BODY] = inked ? picture->own[LAYER_BODY] : NULL;
     picture->layer[LAYER_WET] = picture->def.plain ? NULL : planes->solvent;
     picture->layer[LAYER_MASK] = planes->mask;
     share_work(picture, picture_shade, picture->def.height, pixel_band);

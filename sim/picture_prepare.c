@@ -108,8 +108,10 @@ void picture_prepare_across(struct picture_worker *worker, int y0, int y1)
 }
 
 /* How much of the pigment of a row shows as ink: `share` gets what multiplies each ink's amount, `line` the pigment on
- * ground that is not carved. `local` is the depth blurred over four cells. False where the row has no pigment. */
-static bool ink_share(const struct picture *picture, size_t at, const float *local, float *share, float *line)
+ * ground that is not carved, `body` where there is any. `local` is the depth blurred over four cells. False where the
+ * row has no pigment. */
+static bool ink_share(const struct picture *picture, size_t at, const float *local, float *share, float *line,
+                      float *body)
 {
     const float *depth = picture->planes.depth + at;
     int width = picture->def.cells_x;
@@ -129,6 +131,7 @@ static bool ink_share(const struct picture *picture, size_t at, const float *loc
     }
     if (most <= 0) {
         memset(line, 0, (size_t)width * sizeof *line);
+        memset(body, 0, (size_t)width * sizeof *body);
         return false;
     }
     for (int x = 0; x < width; x++) {
@@ -139,10 +142,11 @@ static bool ink_share(const struct picture *picture, size_t at, const float *loc
         float veins = (0.25f + 0.75f * power(t, 1.3f)) * (1 + 1.6f * (h - local[x]) * inverse);
         veins = veins > 0.12f ? veins : 0.12f;
         veins = veins < 2.2f ? veins : 2.2f;
-        line[x] = pigment * (1 - carved);
+        line[x] = (pigment < 0.25f ? 4 * pigment : 1) * (1 - carved);
+        body[x] = pigment < 0.05f ? 20 * pigment : 1;
         /* Ink saturates: twice the pigment is not twice as dark. A drawn line has no depth to thicken it. */
-        float body = 1.9f * (1 - exponential(-pigment * (1 / 0.45f)));
-        share[x] = body / (pigment > 1e-6f ? pigment : 1e-6f) * (0.8f + (veins - 0.8f) * carved);
+        float ink = 1.9f * (1 - exponential(-pigment * (1 / 0.45f)));
+        share[x] = ink / (pigment > 1e-6f ? pigment : 1e-6f) * (0.8f + (veins - 0.8f) * carved);
     }
     return true;
 }
@@ -161,7 +165,7 @@ void picture_prepare_down(struct picture_worker *worker, int y0, int y1)
         float *share = worker->cells[1];
         float *line = picture->own[LAYER_LINE] + at;
         blur_down(&picture->wide, picture->blur_wide, width, height, y, local);
-        bool any = ink_share(picture, at, local, share, line);
+        bool any = ink_share(picture, at, local, share, line, picture->own[LAYER_BODY] + at);
         for (int i = 0; i < INK_PALETTE; i++) {
             float *out = picture->own[LAYER_INK + i] + at;
             if (!any || !picture->planes.ink[i]) {
@@ -201,15 +205,15 @@ void picture_prepare_plain(struct picture_worker *worker, int y0, int y1)
         float *line = picture->own[LAYER_LINE] + at;
         memset(line, 0, width * sizeof *line);
         for (int i = 0; i < INK_PALETTE; i++) {
-            if (!picture->planes.ink[i]) {
-                continue;
-            }
-            const float *ink = picture->planes.ink[i] + at;
-            for (size_t x = 0; x < width; x++) {
-                line[x] += ink[x] > 0 ? ink[x] * (1 - smooth_between(0.02f, 0.1f, depth[x])) : 0;
+            const float *ink = picture->planes.ink[i] ? picture->planes.ink[i] + at : NULL;
+            for (size_t x = 0; ink && x < width; x++) {
+                line[x] += ink[x] > 0 ? ink[x] : 0;
                 inked |= ink[x] > 0 ? 1u << i : 0;
-                inked |= line[x] > 0 ? 1u << INK_PALETTE : 0;
             }
+        }
+        for (size_t x = 0; x < width; x++) {
+            line[x] = (line[x] < 0.25f ? 4 * line[x] : 1) * (1 - smooth_between(0.02f, 0.1f, depth[x]));
+            inked |= line[x] > 0 ? 1u << INK_PALETTE : 0;
         }
     }
     atomic_fetch_or(&picture->inked, inked);

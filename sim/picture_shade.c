@@ -90,6 +90,7 @@ static inline void light_columns(struct picture_worker *worker, const struct lig
     const float *line = worker->row[LAYER_LINE], *streaks = worker->streaks;
     const float *grain_x = picture->grain.slope_x + (y % GRAIN_TILE) * GRAIN_TILE;
     const float *grain_y = picture->grain.slope_y + (y % GRAIN_TILE) * GRAIN_TILE;
+    const float *body = worker->row[LAYER_BODY];
     float *lit = worker->light, *gloss = worker->gloss, *thickness = worker->thickness;
     const struct light l = *light;
     for (int x = x0; x < x1; x++) {
@@ -99,13 +100,16 @@ static inline void light_columns(struct picture_worker *worker, const struct lig
         float fx = border ? difference(film, x, width, per_x) : (film[x + 1] - film[x - 1]) * per_x;
         float fy = (film_below[x] - film_above[x]) * per_y;
         float carved = smooth_between(0.05f, 0.17f, depth);
-        float drawn = smooth_between(0.15f, 0.5f, line[x]);
+        float drawn = smooth_between(0.25f, 0.75f, line[x]);
         float veins = 1 + 2 * (depth - film[x]);
         veins = veins > 0 ? veins : 0;
         /* The edge pools: twice as thick half way up the bank. */
         float ink = carved * veins * (1 + 4 * carved * (1 - carved));
         float stroke = drawn * (1 + 2 * drawn * (1 - drawn));
-        thickness[x] = ink > stroke ? ink : stroke;
+        /* Pigment ends with the carved cells. Divided by how much of the kernel met any, it stays whole up to an edge
+         * that lies between them; else it would pale into a halo. */
+        float met = body[x] > 0.3f ? body[x] : 0.3f;
+        thickness[x] = (ink > stroke ? ink : stroke) / met;
         float cover = carved > drawn ? carved : drawn;
         float wet = 1.6f * solvent[x];
         wet = wet > 0 ? wet : 0;
@@ -186,7 +190,7 @@ static void plain_row(const struct picture_worker *worker, uint8_t *rgb)
     ink_table_mix(picture->table, (float[INK_PALETTE]){0, 0, 0, 0}, ground);
     for (int x = 0; x < picture->def.width; x++, rgb += 3) {
         float cover = worker->row[LAYER_PLAIN][x];
-        float drawn = smooth_between(0.15f, 0.5f, worker->row[LAYER_LINE][x]);
+        float drawn = smooth_between(0.25f, 0.75f, worker->row[LAYER_LINE][x]);
         float here[INK_PALETTE];
         float colour[3];
         gather_inks(worker, x, cover > drawn ? cover : drawn, here);

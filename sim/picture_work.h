@@ -11,7 +11,8 @@
 
 enum picture_layer {
     LAYER_RELIEF, /* depth tamed to 0..0.6: the centre of a drop is no well, every painting is equally deep */
-    LAYER_LINE,   /* pigment on ground that is not carved */
+    LAYER_LINE,   /* 1 where pigment lies on ground that is not carved */
+    LAYER_BODY,   /* 1 where there is pigment, 0 where there is none */
     LAYER_INK,    /* + ink 0..3: optical thickness where ink covers */
     LAYER_PLAIN = LAYER_INK + INK_PALETTE, /* depth, for the flat picture */
     LAYER_MASK,
