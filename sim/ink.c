@@ -8,11 +8,12 @@
 
 const float ink_ground[INK_BANDS] = {0.9235f, 0.9379f, 0.9399f, 0.9400f, 0.9400f, 0.9400f};
 
-/* Six bands to linear sRGB: least squares over two-ink mixes of the same curves in sixteen bands, CIE 1931, D65. */
+/* Six bands to linear sRGB: least squares over two-ink mixes of the same curves in sixteen bands, CIE 1931, D65;
+ * rows scaled so that a flat spectrum is neutral. */
 static const float band_to_rgb[3][INK_BANDS] = {
-    {0.1406f, -0.1432f, -0.3214f, -0.0407f, 0.6293f, 0.7345f},
-    {-0.0729f, 0.0089f, 0.4127f, 0.6038f, 0.0943f, -0.0400f},
-    {0.5398f, 0.5466f, 0.0347f, -0.0845f, -0.0249f, -0.0097f},
+    {0.1407f, -0.1433f, -0.3217f, -0.0407f, 0.6299f, 0.7351f},
+    {-0.0724f, 0.0088f, 0.4099f, 0.5997f, 0.0937f, -0.0397f},
+    {0.5387f, 0.5456f, 0.0346f, -0.0843f, -0.0249f, -0.0097f},
 };
 
 const struct ink inks[] = {

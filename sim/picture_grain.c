@@ -63,8 +63,8 @@ bool grain_init(struct grain *grain, uint32_t seed, float pixels_x, float pixels
         grain_finish(grain);
         return false;
     }
-    add_octave(grain, 0.9f, 0.016f, seed);
-    add_octave(grain, 2.1f, 0.012f, seed + 1);
+    add_octave(grain, 0.9f, 0.014f, seed);
+    add_octave(grain, 2.1f, 0.010f, seed + 1);
     return true;
 }
 
