@@ -6,9 +6,6 @@
 
 #include "components.h"
 
-/* The eight neighbours of a cell as bits: 0 east, then clockwise (y down): SE, S, SW, W, NW, N, NE. */
-enum { EAST = 1 << 0, SOUTH = 1 << 2, WEST = 1 << 4, NORTH = 1 << 6 };
-
 enum { FIRST_PASS = 1, SECOND_PASS = 2, CORNER = 4, SIMPLE = 8 }; /* when a cell with such neighbours may go */
 
 struct thin {
@@ -22,6 +19,7 @@ struct thin {
     uint8_t rules[256];
 };
 
+/* One of the eight neighbours of a cell: 0 east, then clockwise (y down) SE, S, SW, W, NW, N, NE, and east again. */
 static int bit(unsigned neighbours, int i)
 {
     return (int)(neighbours >> (i & 7)) & 1;
@@ -38,23 +36,29 @@ static bool simple(unsigned neighbours)
     return number == 1;
 }
 
+/* A1 of Guo and Hall: C(p) = 1, 2 <= N(p) <= 3, and a side that depends on the pass; the second is the first turned
+ * half around. */
 static uint8_t rule(unsigned neighbours)
 {
-    int count = 0, rises = 0;
+    int count = 0, even = 0, odd = 0;
     for (int i = 0; i < 8; i++) {
         count += bit(neighbours, i);
-        rises += !bit(neighbours, i) && bit(neighbours, i + 1);
     }
+    for (int i = 0; i < 8; i += 2) {
+        even += bit(neighbours, i) | bit(neighbours, i + 1);
+        odd += bit(neighbours, i + 1) | bit(neighbours, i + 2);
+    }
+    int pairs = even < odd ? even : odd;
     uint8_t rules = 0;
     if (simple(neighbours)) {
         rules |= SIMPLE;
         rules |= count >= 2 ? CORNER : 0;
     }
-    if (count >= 2 && count <= 6 && rises == 1) {
-        bool east = neighbours & EAST, south = neighbours & SOUTH;
-        bool west = neighbours & WEST, north = neighbours & NORTH;
-        rules |= (uint8_t)(!(north && east && south) && !(east && south && west) ? FIRST_PASS : 0);
-        rules |= (uint8_t)(!(north && east && west) && !(north && south && west) ? SECOND_PASS : 0);
+    if (simple(neighbours) && pairs >= 2 && pairs <= 3) {
+        bool first = bit(neighbours, 0) && (bit(neighbours, 6) || bit(neighbours, 7) || !bit(neighbours, 1));
+        bool second = bit(neighbours, 4) && (bit(neighbours, 2) || bit(neighbours, 3) || !bit(neighbours, 5));
+        rules |= first ? 0 : FIRST_PASS;
+        rules |= second ? 0 : SECOND_PASS;
     }
     return rules;
 }

@@ -1,8 +1,8 @@
 /* The skeleton of a mask: lines one cell wide that hang together, branch and close exactly as the shape does.
- * Source: Zhang and Suen, "A fast parallel algorithm for thinning digital patterns" (1984), kept homotopic: a cell goes
- * only while it is simple (its going neither parts, joins, opens nor closes anything), which the paper's own rule
- * breaks on two by two blocks, and the corners of staircases are taken away at the end, which its rule leaves and which
- * would count as junctions. */
+ * Source: Guo and Hall, "Parallel thinning with two-subiteration algorithms" (1989), algorithm A1, which keeps the
+ * short tips that Zhang and Suen's (1984) eats. A cell goes only while it is simple (its going neither parts, joins,
+ * opens nor closes anything), for cells that go at once may be too many together; and the corners of staircases, which
+ * would count as junctions, are taken away at the end. */
 #ifndef FROND_THINNING_H
 #define FROND_THINNING_H
 
