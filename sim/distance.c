@@ -81,7 +81,7 @@ static void row(const int32_t *column, int width, struct parabola *stack, float 
 bool distance_transform(const uint8_t *mask, int width, int height, float *distance)
 {
     size_t cells = (size_t)width * (size_t)height;
-    int32_t *column = malloc(cells * sizeof *column);
+    int32_t *column = calloc(cells, sizeof *column);
     struct parabola *stack = malloc(((size_t)width + 2) * sizeof *stack);
     bool done = column && stack;
     if (done) {

@@ -171,9 +171,9 @@ static struct span *find_spans(const struct shape_def *def, const int32_t *label
 static bool measure_hull(const struct shape_def *def, const uint8_t *mask, struct shape_figures *figures)
 {
     size_t corners = 2 * (size_t)def->height + 2;
-    int32_t *labels = malloc(cells_of(def) * sizeof *labels);
-    struct extent *extents = malloc(((size_t)figures->components + 1) * sizeof *extents);
-    struct corner *sides = malloc(2 * corners * sizeof *sides);
+    int32_t *labels = calloc(cells_of(def), sizeof *labels);
+    struct extent *extents = calloc((size_t)figures->components + 1, sizeof *extents);
+    struct corner *sides = calloc(2 * corners, sizeof *sides);
     struct span *spans = NULL;
     if (labels && extents && sides) {
         int objects = components_label(mask, def->width, def->height, labels);
@@ -260,9 +260,9 @@ static void measure_front(struct shape_figures *figures)
 
 bool shape_measure(const struct shape_def *def, const float *depth, struct shape_figures *figures)
 {
-    uint8_t *mask = malloc(cells_of(def));
-    uint8_t *skeleton = malloc(cells_of(def));
-    float *distance = malloc(cells_of(def) * sizeof *distance);
+    uint8_t *mask = calloc(cells_of(def), 1);
+    uint8_t *skeleton = calloc(cells_of(def), 1);
+    float *distance = calloc(cells_of(def), sizeof *distance);
     *figures = (struct shape_figures){0};
     bool done = mask && skeleton && distance && shape_mask(def, depth, mask, &figures->components, &figures->specks);
     if (done && figures->components > 0) {
