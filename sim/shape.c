@@ -152,7 +152,7 @@ static struct span *find_spans(const struct shape_def *def, const int32_t *label
         extents[object].first = count;
         count += (size_t)(extents[object].bottom - extents[object].top) + 1;
     }
-    struct span *spans = malloc((count + 1) * sizeof *spans);
+    struct span *spans = calloc(count + 1, sizeof *spans);
     for (size_t i = 0; spans && i < count; i++) {
         spans[i] = (struct span){INT32_MAX, 0};
     }
