@@ -25,7 +25,8 @@
 #define SANITIZED 0
 #endif
 
-/* Calls that need no look at their arguments. */
+/* Calls that need no look at their arguments. The last two: a thread that a library started before the filter may only
+ * now begin to run. */
 static const int allowed[] = {
     SCMP_SYS(read),           SCMP_SYS(readv),        SCMP_SYS(pread64),       SCMP_SYS(write),
     SCMP_SYS(writev),         SCMP_SYS(pwrite64),     SCMP_SYS(lseek),         SCMP_SYS(_llseek),
@@ -34,7 +35,8 @@ static const int allowed[] = {
     SCMP_SYS(futex_time64),   SCMP_SYS(sched_yield),  SCMP_SYS(clock_gettime), SCMP_SYS(clock_gettime64),
     SCMP_SYS(gettimeofday),   SCMP_SYS(getrandom),    SCMP_SYS(getpid),        SCMP_SYS(gettid),
     SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(sigaltstack),   SCMP_SYS(restart_syscall),
-    SCMP_SYS(exit),           SCMP_SYS(exit_group),
+    SCMP_SYS(exit),           SCMP_SYS(exit_group),   SCMP_SYS(sysinfo),       SCMP_SYS(set_robust_list),
+    SCMP_SYS(rseq),
 };
 
 /* Only the sanitizers' own threads and checks call these. */
