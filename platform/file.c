@@ -1,0 +1,151 @@
+#include "file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum {
+    PATH_SHOWN = 200, /* bytes of a path in a message: room stays for the reason */
+    TEMPORARY_NAME = 40,
+};
+
+static const struct {
+    int code;
+    const char *reason;
+} reasons[] = {
+    {ENOENT, "there is no such file or folder"},
+    {EACCES, "the permissions of the file or its folder forbid it"},
+    {EPERM, "the permissions of the file or its folder forbid it"},
+    {ENOSPC, "the disk is full"},
+    {EDQUOT, "the disk is full"},
+    {EROFS, "the disk is read-only"},
+    {EIO, "the disk reports an error"},
+    {EISDIR, "is a folder"},
+    {ENOTDIR, "a part of its path is not a folder"},
+    {ENAMETOOLONG, "the name is too long"},
+    {ELOOP, "its symbolic links go in a circle"},
+    {ENOMEM, "not enough memory"},
+};
+
+bool file_fail(struct file_error *error, const char *path, const char *reason, ...)
+{
+    if (!error) {
+        return false;
+    }
+    size_t length = strlen(path);
+    const char *cut = length > PATH_SHOWN ? "..." : "";
+    const char *shown = length > PATH_SHOWN ? path + (length - PATH_SHOWN) : path;
+    int start = snprintf(error->text, sizeof error->text, "%s%s: ", cut, shown);
+    va_list arguments;
+    va_start(arguments, reason);
+    vsnprintf(error->text + start, sizeof error->text - (size_t)start, reason, arguments);
+    va_end(arguments);
+    for (char *c = error->text; *c; c++) {
+        if ((unsigned char)*c < 0x20 || *c == 0x7f) {
+            *c = '?';
+        }
+    }
+    return false;
+}
+
+bool file_fail_code(struct file_error *error, const char *path, int code)
+{
+    for (size_t i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
+        if (reasons[i].code == code) {
+            return file_fail(error, path, "%s", reasons[i].reason);
+        }
+    }
+    char text[128];
+    if (strerror_r(code, text, sizeof text) != 0) {
+        snprintf(text, sizeof text, "error %d", code);
+    }
+    return file_fail(error, path, "%s", text);
+}
+
+bool file_write_whole(int fd, const void *data, size_t size)
+{
+    const char *at = data;
+    while (size > 0) {
+        ssize_t written = write(fd, at, size);
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written < 0) {
+            return false;
+        }
+        at += written;
+        size -= (size_t)written;
+    }
+    return true;
+}
+
+/* Opens the folder that holds `path`; *name becomes the last part of the path. */
+static int open_folder(const char *path, const char **name)
+{
+    const char *slash = strrchr(path, '/');
+    *name = slash ? slash + 1 : path;
+    if (**name == '\0') {
+        errno = path[0] ? EISDIR : ENOENT;
+        return -1;
+    }
+    if (!slash) {
+        return open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    }
+    char *folder = strndup(path, slash == path ? 1 : (size_t)(slash - path));
+    if (!folder) {
+        return -1;
+    }
+    int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    int code = errno;
+    free(folder);
+    errno = code;
+    return fd;
+}
+
+/* Some file systems (vfat over FUSE, for one) cannot sync a folder and say EINVAL: there is nothing more to do there.
+ */
+static bool sync_folder(int folder)
+{
+    return fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
+bool file_write_atomic(const char *path, const void *data, size_t size, struct file_error *error)
+{
+    const char *name;
+    int folder = open_folder(path, &name);
+    if (folder < 0) {
+        return file_fail_code(error, path, errno);
+    }
+    uint64_t random = 0;
+    char temporary[TEMPORARY_NAME];
+    int fd = -1;
+    if (getrandom(&random, sizeof random, 0) == (ssize_t)sizeof random) {
+        snprintf(temporary, sizeof temporary, ".frond-%016" PRIx64 ".part", random);
+        fd = openat(folder, temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    }
+    int code = errno;
+    if (fd >= 0) {
+        bool written = file_write_whole(fd, data, size) && fsync(fd) == 0;
+        code = errno;
+        if (close(fd) != 0 && written) {
+            written = false;
+            code = errno;
+        }
+        if (written && renameat(folder, temporary, folder, name) == 0) {
+            code = sync_folder(folder) ? 0 : errno;
+        } else {
+            code = written ? errno : code;
+            unlinkat(folder, temporary, 0);
+        }
+    }
+    close(folder);
+    return code == 0 || file_fail_code(error, path, code);
+}
