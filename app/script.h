@@ -34,7 +34,7 @@ struct script {
     int width, height, margin; /* cells */
     int seed;                  /* 0 or more */
     int ticks;                 /* ticks that the session takes; actions after it do not happen */
-    int mode;                  /* enum picture_mode: how the inks are shown */
+    int mode;                  /* enum ink_mixing: how the inks are shown */
     int inks[PAINTING_INKS];   /* indices as of ink_find() */
     int ink_count;             /* 1..PAINTING_INKS */
     struct coefficients coefficients;
