@@ -1,0 +1,214 @@
+#include "picture.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+
+#include "picture_work.h"
+
+struct picture_def picture_default_def(void)
+{
+    struct picture_def def = {.width = 1280, .height = 720, .cells_x = 1280, .cells_y = 720, .seed = 1, .threads = 1};
+    for (int i = 0; i < INK_PALETTE; i++) {
+        def.ink[i] = ink_find(palettes[0].inks[i]);
+    }
+    return def;
+}
+
+static bool within(int value, int most)
+{
+    return value >= 1 && value <= most;
+}
+
+static bool valid(const struct picture_def *def)
+{
+    return within(def->width, PICTURE_SIZE_MAX) && within(def->height, PICTURE_SIZE_MAX) &&
+           within(def->cells_x, PICTURE_CELLS_MAX) && within(def->cells_y, PICTURE_CELLS_MAX) &&
+           within(def->threads, PICTURE_THREADS_MAX);
+}
+
+/* Hands out the rows of the pool; with none yet, only counts them. */
+static float *take(const struct picture *picture, size_t *used, size_t floats)
+{
+    float *at = picture->pool ? picture->pool + *used : NULL;
+    *used += floats;
+    return at;
+}
+
+static size_t share_out(struct picture *picture)
+{
+    size_t cells = (size_t)picture->def.cells_x * (size_t)picture->def.cells_y;
+    size_t width = (size_t)picture->def.width;
+    size_t used = 0;
+    for (int layer = 0; layer < LAYERS; layer++) {
+        bool wanted = picture->def.plain ? layer == LAYER_PLAIN || layer == LAYER_LINE : layer != LAYER_PLAIN;
+        if (wanted && layer != LAYER_WET && layer != LAYER_MASK) {
+            picture->own[layer] = take(picture, &used, cells);
+        }
+    }
+    if (!picture->def.plain) {
+        picture->blur_wide = take(picture, &used, cells);
+        picture->blur_narrow = take(picture, &used, cells);
+        picture->blur_broad = take(picture, &used, cells);
+    }
+    for (int i = 0; i < picture->def.threads; i++) {
+        struct picture_worker *worker = &picture->workers[i];
+        worker->picture = picture;
+        for (int layer = 0; layer < LAYERS; layer++) {
+            worker->lines[layer] = take(picture, &used, width * (size_t)picture->ring_rows);
+            worker->row[layer] = take(picture, &used, width);
+        }
+        for (int j = 0; j < 3; j++) {
+            worker->relief[j] = take(picture, &used, width);
+            worker->film[j] = take(picture, &used, width);
+        }
+        worker->light = take(picture, &used, width);
+        worker->gloss = take(picture, &used, width);
+        worker->thickness = take(picture, &used, width);
+        worker->streaks = take(picture, &used, width);
+        worker->cells[0] = take(picture, &used, (size_t)picture->def.cells_x);
+        worker->cells[1] = take(picture, &used, (size_t)picture->def.cells_x);
+    }
+    return used;
+}
+
+static bool init_resamplers(struct picture *picture)
+{
+    const struct picture_def *def = &picture->def;
+    /* Between Mitchell and the B-spline: sharper beads along thin gaps, smoother melts them. */
+    const float sharp[2] = {0.65f, 0.175f};
+    const float smooth[2] = {1, 0};
+    picture->ring_rows = 0;
+    for (int i = 0; i < 2; i++) {
+        const float *kernel = i == 0 ? sharp : smooth;
+        if (!resample_init(&picture->across[i], def->cells_x, def->width, kernel[0], kernel[1]) ||
+            !resample_init(&picture->down[i], def->cells_y, def->height, kernel[0], kernel[1])) {
+            return false;
+        }
+    }
+    picture->ring_rows = picture->down[0].taps + def->cells_y / def->height + 2;
+    return true;
+}
+
+struct picture *picture_create(const struct picture_def *def)
+{
+    if (!valid(def)) {
+        return NULL;
+    }
+    struct picture *picture = calloc(1, sizeof *picture);
+    if (!picture) {
+        return NULL;
+    }
+    picture->def = *def;
+    picture->table = ink_table_create(def->ink, def->mixing);
+    float pixels_x = (float)def->width / (float)def->cells_x;
+    float pixels_y = (float)def->height / (float)def->cells_y;
+    if (!picture->table || !grain_init(&picture->grain, def->seed, pixels_x, pixels_y) || !init_resamplers(picture)) {
+        picture_destroy(picture);
+        return NULL;
+    }
+    picture->pool = calloc(share_out(picture), sizeof *picture->pool);
+    if (!picture->pool) {
+        picture_destroy(picture);
+        return NULL;
+    }
+    share_out(picture);
+    picture->wide = blur_of(4);
+    picture->narrow = blur_of(0.8f);
+    picture->broad = blur_of(5);
+    for (int i = 0; i < SRGB_STEPS; i++) {
+        float root = (float)i / (SRGB_STEPS - 1);
+        picture->srgb[i] = 255 * ink_encode(root * root);
+    }
+    return picture;
+}
+
+void picture_destroy(struct picture *picture)
+{
+    if (!picture) {
+        return;
+    }
+    for (int i = 0; i < 2; i++) {
+        resample_finish(&picture->across[i]);
+        resample_finish(&picture->down[i]);
+    }
+    grain_finish(&picture->grain);
+    ink_table_destroy(picture->table);
+    free(picture->pool);
+    free(picture);
+}
+
+/* Rows handed out in bands to whoever is free. Each row is made the same way whoever makes it. */
+struct crew {
+    void (*work)(struct picture_worker *worker, int y0, int y1);
+    int rows, band;
+    atomic_int next;
+};
+
+struct crew_member {
+    struct crew *crew;
+    struct picture_worker *worker;
+};
+
+static void *labour(void *argument)
+{
+    struct crew_member *member = argument;
+    struct crew *crew = member->crew;
+    for (;;) {
+        int y0 = atomic_fetch_add(&crew->next, crew->band);
+        if (y0 >= crew->rows) {
+            return NULL;
+        }
+        int y1 = y0 + crew->band < crew->rows ? y0 + crew->band : crew->rows;
+        crew->work(member->worker, y0, y1);
+    }
+}
+
+/* A thread that cannot be had is done without: the others take its rows. */
+static void share_work(struct picture *picture, void (*work)(struct picture_worker *, int, int), int rows, int band)
+{
+    struct crew crew = {.work = work, .rows = rows, .band = band};
+    struct crew_member members[PICTURE_THREADS_MAX];
+    pthread_t threads[PICTURE_THREADS_MAX];
+    int started = 1;
+    atomic_init(&crew.next, 0);
+    for (int i = 0; i < picture->def.threads; i++) {
+        members[i] = (struct crew_member){&crew, &picture->workers[i]};
+    }
+    while (started < picture->def.threads && pthread_create(&threads[started], NULL, labour, &members[started]) == 0) {
+        started++;
+    }
+    labour(&members[0]);
+    for (int i = 1; i < started; i++) {
+        pthread_join(threads[i], NULL);
+    }
+}
+
+void picture_draw(struct picture *picture, const struct picture_planes *planes, uint8_t *rgb)
+{
+    const int cell_band = 16;
+    const int pixel_band = 64; /* a band resamples four rows of cells again that its neighbour had */
+    int cell_rows = picture->def.cells_y;
+    picture->planes = *planes;
+    picture->rgb = rgb;
+    atomic_store(&picture->inked, 0);
+    if (picture->def.plain) {
+        share_work(picture, picture_prepare_plain, cell_rows, cell_band);
+    } else {
+        picture->depth_ref = picture_depth_ref(picture);
+        share_work(picture, picture_prepare_across, cell_rows, cell_band);
+        share_work(picture, picture_prepare_down, cell_rows, cell_band);
+    }
+    unsigned inked = atomic_load(&picture->inked);
+    for (int layer = 0; layer < LAYERS; layer++) {
+        picture->layer[layer] = picture->own[layer];
+    }
+    for (int i = 0; i < INK_PALETTE; i++) {
+        const float *ink = picture->def.plain ? planes->ink[i] : picture->own[LAYER_INK + i];
+        picture->layer[LAYER_INK + i] = inked >> i & 1 ? ink : NULL;
+    }
+    picture->layer[LAYER_LINE] = inked >> INK_PALETTE & 1 ? picture->own[LAYER_LINE] : NULL;
+    picture->layer[LAYER_BODY] = inked ? picture->own[LAYER_BODY] : NULL;
+    picture->layer[LAYER_WET] = picture->def.plain ? NULL : planes->solvent;
+    picture->layer[LAYER_MASK] = planes->mask;
+    share_work(picture, picture_shade, picture->def.height, pixel_band);
+}
