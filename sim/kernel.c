@@ -1,0 +1,379 @@
+/* The row kernels, compiled once for each width of vectors (see CMakeLists.txt). They are written so that gcc 12 and
+ * clang 14 both vectorise them: conditions are folded into floats, no branches, no calls.
+ * Departures from the paper stand where they are made. */
+#include "kernel.h"
+
+#include <math.h>
+
+#include "portable.h"
+
+#if defined(__AVX512F__)
+#define KERNELS kernels_avx512
+#define LANES   16
+#elif defined(__AVX2__)
+#define KERNELS kernels_avx2
+#define LANES   8
+#else
+#define KERNELS kernels_narrow
+#define LANES   4
+#endif
+
+/* gcc vectorises a loop of known length inside another, clang a plain one. */
+#if defined(__clang__)
+#define FOR_CELLS(x, begin, end)                                                                                       \
+    _Pragma("clang loop vectorize(assume_safety) interleave(disable)") for (int x = (begin); x < (end); x++)
+#else
+#define FOR_CELLS(x, begin, end)                                                                                       \
+    for (int x##_block = (begin); x##_block < (end); x##_block += LANES)                                               \
+    _Pragma("GCC ivdep") for (int x = x##_block; x < x##_block + LANES; x++)
+#endif
+
+/* One link of eq. 11 in flux form: what crosses, t, is antisymmetric in its two ends, so mass is conserved to rounding.
+ * t is rounded to multiples of q (departure: a dead band that lets liquid come to rest). */
+#define LINK(h, from, back, row, shift, open_row, first, open_own)                                                     \
+    float h;                                                                                                           \
+    {                                                                                                                  \
+        float gate = 0.5f * (open_own + open_row[x + (shift)]);                                                        \
+        gate = gate > 0.0f ? gate : 0.0f;                                                                              \
+        float bounced = here[((first) + (back)) * RING + x];                                                           \
+        float t = gate * (row[((first) + (from)) * RING + x + (shift)] - bounced);                                     \
+        t = (t + round) - round;                                                                                       \
+        float size = fabsf(t);                                                                                         \
+        most = most > size ? most : size;                                                                              \
+        h = bounced + t;                                                                                               \
+    }
+
+/* Streaming of one fluid (eq. 8, 11): populations h##0..8, density h##_rho, momentum h##_x, h##_y. */
+#define STREAM(h, first, open_own, up, own, down)                                                                      \
+    float h##0 = here[(first)*RING + x];                                                                               \
+    LINK(h##1, 1, 3, here, -1, own, first, open_own)                                                                   \
+    LINK(h##2, 2, 4, above, 0, up, first, open_own)                                                                    \
+    LINK(h##3, 3, 1, here, 1, own, first, open_own)                                                                    \
+    LINK(h##4, 4, 2, below, 0, down, first, open_own)                                                                  \
+    LINK(h##5, 5, 7, above, -1, up, first, open_own)                                                                   \
+    LINK(h##6, 6, 8, above, 1, up, first, open_own)                                                                    \
+    LINK(h##7, 7, 5, below, 1, down, first, open_own)                                                                  \
+    LINK(h##8, 8, 6, below, -1, down, first, open_own)                                                                 \
+    float h##_rho = ((h##0 + (h##1 + h##3)) + (h##2 + h##4)) + ((h##5 + h##7) + (h##6 + h##8));                        \
+    float h##_x = ((h##1 - h##3) + (h##5 - h##7)) + (h##8 - h##6);                                                     \
+    float h##_y = ((h##2 - h##4) + (h##5 - h##7)) + (h##6 - h##8);
+
+#define CLAMP(value, least, most_)                                                                                     \
+    value = value > (most_) ? (most_) : value;                                                                         \
+    value = value < (least) ? (least) : value;
+
+/* A cell that nothing entered or left keeps its populations to the bit. */
+#define STORE(field, value) out[(field)*RING + x] = moved > 0.0f ? (value) : here[(field)*RING + x];
+
+#define PAIR(h, i, j, weight, along, first)                                                                            \
+    {                                                                                                                  \
+        float e_u = along;                                                                                             \
+        float even = weight * (h##_rho + psi * (4.5f * (e_u * e_u) - u_u)), odd = (3.0f * weight) * (psi * e_u);       \
+        STORE((first) + (i), keep * h##i + (even + odd))                                                               \
+        STORE((first) + (j), keep * h##j + (even - odd))                                                               \
+    }
+
+/* Collision (eq. 9, 10) with psi of section 4.2; `u`, `v` is momentum over mean density 1. */
+#define COLLIDE(h, first, u, v)                                                                                        \
+    {                                                                                                                  \
+        float s = h##_rho * inverse_mu;                                                                                \
+        CLAMP(s, 0.0f, 1.0f)                                                                                           \
+        float psi = (s * s) * (3.0f - 2.0f * s), u_u = 1.5f * (u * u + v * v);                                         \
+        STORE((first), keep *h##0 + w_rest * (h##_rho - psi * u_u))                                                    \
+        PAIR(h, 1, 3, w_axis, u, first)                                                                                \
+        PAIR(h, 2, 4, w_axis, v, first)                                                                                \
+        PAIR(h, 5, 7, w_diagonal, (u + v), first)                                                                      \
+        PAIR(h, 6, 8, w_diagonal, (v - u), first)                                                                      \
+    }
+
+/* One LBM step of both fluids, coupled (eq. 7-12).
+ * Departures: velocity is momentum over the mean density, as eq. 9 wants and eq. 7 does not; it is capped at 0.35 a
+ * component; the two momenta of this same step are coupled symmetrically, so that what one gains the other loses. */
+static void fluid(const struct fluid_row *row)
+{
+    const float *restrict above = row->above, *restrict here = row->here, *restrict below = row->below;
+    const float *restrict solvent_up = row->open_above, *restrict solvent_own = row->open_here,
+                          *restrict solvent_down = row->open_below;
+    const float *restrict ink_up = solvent_up + RING, *restrict ink_own = solvent_own + RING,
+                          *restrict ink_down = solvent_down + RING;
+    float *restrict out = row->out;
+    float *restrict density = row->flow, *restrict flow_u = row->flow + FLOW_U * RING,
+                    *restrict flow_v = row->flow + FLOW_V * RING, *restrict flow_moved = row->flow + FLOW_MOVED * RING;
+    int32_t *restrict changed = row->changed;
+    const float round = row->round, inverse_mu = row->inverse_mu, gamma = row->gamma;
+    const float omega = row->omega, keep = 1.0f - omega;
+    const float w_rest = omega * (4.0f / 9), w_axis = omega * (1.0f / 9), w_diagonal = omega * (1.0f / 36);
+    const int begin = row->begin, end = row->end;
+    FOR_CELLS(x, begin, end)
+    {
+        float most = 0.0f, solvent_open = solvent_own[x], ink_open = ink_own[x];
+        STREAM(f, FLUID_SOLVENT, solvent_open, solvent_up, solvent_own, solvent_down)
+        float solvent_moved = most;
+        most = 0.0f;
+        STREAM(g, FLUID_INK, ink_open, ink_up, ink_own, ink_down)
+        float ink_moved = most;
+        float drag_f = (solvent_open > 0.0f ? solvent_open : 0.0f) * gamma;
+        float drag_g = (ink_open > 0.0f ? ink_open : 0.0f) * gamma;
+        float fu = f_x + drag_f * (g_x - f_x), fv = f_y + drag_f * (g_y - f_y);
+        float gu = g_x + drag_g * (f_x - g_x), gv = g_y + drag_g * (f_y - g_y);
+        CLAMP(fu, -0.35f, 0.35f)
+        CLAMP(fv, -0.35f, 0.35f)
+        CLAMP(gu, -0.35f, 0.35f)
+        CLAMP(gv, -0.35f, 0.35f)
+        {
+            float moved = solvent_moved;
+            COLLIDE(f, FLUID_SOLVENT, fu, fv)
+        }
+        {
+            float moved = ink_moved;
+            COLLIDE(g, FLUID_INK, gu, gv)
+        }
+        flow_moved[x] = ink_moved > 0.0f ? 1.0f : 0.0f;
+        changed[x] |= (solvent_moved + ink_moved) > 0.0f;
+        density[x] = f_rho;
+        /* Departure: pigment travels with flux over density; by eq. 14 alone it stays in the drop. */
+        float inverse = 1.0f / (g_rho > 0.02f ? g_rho : 0.02f);
+        gu *= inverse;
+        gv *= inverse;
+        CLAMP(gu, -1.0f, 1.0f)
+        CLAMP(gv, -1.0f, 1.0f)
+        flow_u[x] = gu;
+        flow_v[x] = gv;
+    }
+}
+
+#define OPEN(value)             ((value) > 0.0f ? (value) : 0.0f)
+#define TAP(row, shift, weight) weight *(row)[x + (shift)]
+#define CARRY(n)                                                                                                       \
+    {                                                                                                                  \
+        const float *restrict p_up = wet_above + (n)*RING, *restrict p_own = wet_here + (n)*RING,                      \
+                              *restrict p_down = wet_below + (n)*RING;                                                 \
+        float p = ((TAP(p_up, -1, w_ul) + TAP(p_up, 1, w_ur)) + (TAP(p_down, -1, w_dl) + TAP(p_down, 1, w_dr))) +      \
+                  ((TAP(p_up, 0, w_uc) + TAP(p_down, 0, w_dc)) + (TAP(p_own, -1, w_l) + TAP(p_own, 1, w_r))) +         \
+                  TAP(p_own, 0, w_c);                                                                                  \
+        p = p * inverse;                                                                                               \
+        p = p > 1e-6f ? p : 0.0f;                                                                                      \
+        wet_out[(n)*RING + x] = sum > 1e-4f ? p : p_own[x];                                                            \
+    }
+
+/* Semi-Lagrangian advection of the wet pigment (eq. 14). The departure point is within a cell, so the bilinear fetch is
+ * a tent over nine cells; each tap counts by its openness, so colour never crosses a boundary. */
+static void pigment(const struct fluid_row *row)
+{
+    const float *restrict wet_above = row->above + FLUID_WET * RING, *restrict wet_here = row->here + FLUID_WET * RING,
+                          *restrict wet_below = row->below + FLUID_WET * RING;
+    const float *restrict open_up = row->open_above + RING, *restrict open_own = row->open_here + RING,
+                          *restrict open_down = row->open_below + RING;
+    const float *restrict flow_u = row->flow + FLOW_U * RING, *restrict flow_v = row->flow + FLOW_V * RING,
+                          *restrict flow_moved = row->flow + FLOW_MOVED * RING;
+    float *restrict wet_out = row->out + FLUID_WET * RING;
+    const int begin = row->begin, end = row->end;
+    FOR_CELLS(x, begin, end)
+    {
+        float u = flow_u[x], v = flow_v[x];
+        float left = OPEN(u), right = OPEN(-u), middle = 1.0f - (left + right);
+        float up = OPEN(v), down = OPEN(-v), level = 1.0f - (up + down);
+        float own = OPEN(open_own[x]);
+        float w_ul = (up * left) * OPEN(open_up[x - 1]), w_uc = (up * middle) * OPEN(open_up[x]);
+        float w_ur = (up * right) * OPEN(open_up[x + 1]);
+        float w_l = (level * left) * OPEN(open_own[x - 1]), w_c = (level * middle) * own;
+        float w_r = (level * right) * OPEN(open_own[x + 1]);
+        float w_dl = (down * left) * OPEN(open_down[x - 1]), w_dc = (down * middle) * OPEN(open_down[x]);
+        float w_dr = (down * right) * OPEN(open_down[x + 1]);
+        float sum = ((w_ul + w_ur) + (w_dl + w_dr)) + ((w_uc + w_dc) + (w_l + w_r)) + w_c;
+        sum = own > 0.0f ? sum : 0.0f;
+        sum = sum * flow_moved[x];
+        float inverse = 1.0f / (sum > 1e-4f ? sum : 1.0f);
+        CARRY(0)
+        CARRY(1)
+        CARRY(2)
+        CARRY(3)
+    }
+}
+
+/* Coefficients of a row for the pattern steps of one tick: xi alpha_a behind the Heaviside of eq. 2, and the growth of
+ * eq. 3 with the solvent counted up to s_max (departure). The catalyst's rate stays inside the stability of five
+ * points. */
+static void rates(const struct rates_row *row)
+{
+    const float *restrict solvent = row->solvent;
+    const uint16_t *restrict alpha_a = row->alpha_a, *restrict xi = row->xi, *restrict beta_a = row->beta_a,
+                             *restrict s_max = row->s_max, *restrict alpha_y = row->alpha_y;
+    const uint8_t *restrict weight = row->weight;
+    float *restrict diffusion = row->rates + RATE_DIFFUSION * RING, *restrict growth = row->rates + RATE_GROWTH * RING,
+                    *restrict catalyst = row->rates + RATE_CATALYST * RING,
+                    *restrict weights = row->rates + RATE_WEIGHT * RING;
+    const float delta = row->delta, scale_a = row->scale_a, scale_b = row->scale_b, scale_y = row->scale_y;
+    const float fixed = row->fixed_weight;
+    const int begin = row->begin, end = row->end;
+    FOR_CELLS(x, begin, end)
+    {
+        float rho = solvent[x], most = (float)s_max[x] * UNIT_S_MAX;
+        float d = ((float)alpha_a[x] * scale_a) * ((float)xi[x] * UNIT_XI);
+        float y = (float)alpha_y[x] * scale_y, w = (float)weight[x] * UNIT_WEIGHT;
+        diffusion[x] = rho > delta ? d : 0.0f;
+        growth[x] = ((float)beta_a[x] * scale_b) * (rho < most ? rho : most);
+        catalyst[x] = y < 0.24f ? y : 0.24f;
+        weights[x] = fixed >= 0.0f ? fixed : w;
+    }
+}
+
+/* L = A - 4c + w (D - 2A + 4c), A the sum of the axis and D of the diagonal neighbours: the 5-point Laplacian for w =
+ * 0, D2Q9 times 6 for w = 1/6. */
+#define LAPLACIAN(axes, diagonals, centre, weight)                                                                     \
+    (((axes)-4.0f * (centre)) + (weight) * (((diagonals)-2.0f * (axes)) + 4.0f * (centre)))
+
+/* The end of a pattern step: eq. 3-5 with the seam gate and the settling rules. */
+#define PATTERN_STEP(a, y, p, d_a, d_y, extra)                                                                         \
+    float diffused = rate_a[x] * (d_a);                                                                                \
+    float gate = y < seam ? 0.05f : -1.0f;                                                                             \
+    diffused = a + p < gate ? 0.0f : diffused;                                                                         \
+    float a_new = keep * a + (diffused + (rate_g[x] * y) * (a - a * a));                                               \
+    a_new = a_new - (extra);                                                                                           \
+    float y_step = rate_y[x] * (d_y)-consume * (a * y);                                                                \
+    float band = a > 0.0f ? 0.0f : 1e-5f;                                                                              \
+    y_step = fabsf(y_step) > band ? y_step : 0.0f;                                                                     \
+    float least = p > 0.3f ? 1e-5f : 1e-12f;                                                                           \
+    a_new = a_new > least ? a_new : 0.0f;                                                                              \
+    a_new = a_new < 1.5f ? a_new : 1.5f;                                                                               \
+    float y_new = y + y_step;                                                                                          \
+    y_new = y_new > 0.0f ? y_new : 0.0f;                                                                               \
+    float p_new = p + carve * a;
+
+#define PATTERN_ROWS                                                                                                   \
+    const float *restrict a_here = row->here, *restrict y_here = row->here + PATTERN_CATALYST * RING,                  \
+                          *restrict p_here = row->here + PATTERN_CARVED * RING;                                        \
+    const float *restrict q_up = row->above + PATTERN_POWER * RING,                                                    \
+                          *restrict q_own = row->here + PATTERN_POWER * RING,                                          \
+                          *restrict q_down = row->below + PATTERN_POWER * RING;                                        \
+    const float *restrict y_up = row->above + PATTERN_CATALYST * RING, *restrict y_down =                              \
+                                                                           row->below + PATTERN_CATALYST * RING;       \
+    const float *restrict rate_a = row->rates + RATE_DIFFUSION * RING,                                                 \
+                          *restrict rate_g = row->rates + RATE_GROWTH * RING,                                          \
+                          *restrict rate_y = row->rates + RATE_CATALYST * RING,                                        \
+                          *restrict weights = row->rates + RATE_WEIGHT * RING;                                         \
+    float *restrict a_out = row->out, *restrict y_out = row->out + PATTERN_CATALYST * RING,                            \
+                    *restrict p_out = row->out + PATTERN_CARVED * RING,                                                \
+                    *restrict q_out = row->out + PATTERN_POWER * RING;                                                 \
+    const float keep = row->keep, carve = row->carve, consume = row->consume, seam = row->seam;                        \
+    const int begin = row->begin, end = row->end;
+
+static void pattern(const struct pattern_row *row)
+{
+    PATTERN_ROWS
+    float *restrict sums = row->sums; /* of the cells above and below */
+    sums[begin - 1] = q_up[begin - 1] + q_down[begin - 1];
+    sums[end] = q_up[end] + q_down[end];
+    FOR_CELLS(x, begin, end)
+    {
+        sums[x] = q_up[x] + q_down[x];
+    }
+    FOR_CELLS(x, begin, end)
+    {
+        float a = a_here[x], y = y_here[x], p = p_here[x], q = q_own[x];
+        float axes = sums[x] + (q_own[x - 1] + q_own[x + 1]), diagonals = sums[x - 1] + sums[x + 1];
+        float y_axes = (y_up[x] + y_down[x]) + (y_here[x - 1] + y_here[x + 1]);
+        float d_a = LAPLACIAN(axes, diagonals, q, weights[x]), d_y = y_axes - 4.0f * y;
+        PATTERN_STEP(a, y, p, d_a, d_y, 0.0f)
+        a_out[x] = a_new;
+        y_out[x] = y_new;
+        p_out[x] = p_new;
+        q_out[x] = a_new * a_new;
+    }
+}
+
+/* Neumann at an obstacle (section 6.3.2): a closed neighbour counts as the cell itself. */
+static inline float seen(float value, float open, float own)
+{
+    return open > 0.0f ? value : own;
+}
+
+#define SEEN(value, open_row, shift, own) seen((value)[x + (shift)], (open_row)[x + (shift)], own)
+
+/* Guidance, eq. 16, with its sign turned: as printed, growth flees v, since the gradient of rho_a points inwards. */
+static void pattern_full(const struct pattern_row *row)
+{
+    PATTERN_ROWS
+    const float *restrict a_up = row->above, *restrict a_down = row->below;
+    const float *restrict open_up = row->rates_above + RATE_OPEN * RING,
+                          *restrict open_own = row->rates + RATE_OPEN * RING,
+                          *restrict open_down = row->rates_below + RATE_OPEN * RING;
+    const float *restrict guide_x = row->rates + RATE_GUIDE_X * RING, *restrict guide_y =
+                                                                          row->rates + RATE_GUIDE_Y * RING;
+    const float guide = row->guide, y_weight = row->catalyst_weight;
+    FOR_CELLS(x, begin, end)
+    {
+        float a = a_here[x], y = y_here[x], p = p_here[x], q = q_own[x];
+        float axes = (SEEN(q_up, open_up, 0, q) + SEEN(q_down, open_down, 0, q)) +
+                     (SEEN(q_own, open_own, -1, q) + SEEN(q_own, open_own, 1, q));
+        float diagonals = (SEEN(q_up, open_up, -1, q) + SEEN(q_down, open_down, -1, q)) +
+                          (SEEN(q_up, open_up, 1, q) + SEEN(q_down, open_down, 1, q));
+        float y_axes = (SEEN(y_up, open_up, 0, y) + SEEN(y_down, open_down, 0, y)) +
+                       (SEEN(y_here, open_own, -1, y) + SEEN(y_here, open_own, 1, y));
+        float y_diagonals = (SEEN(y_up, open_up, -1, y) + SEEN(y_down, open_down, -1, y)) +
+                            (SEEN(y_up, open_up, 1, y) + SEEN(y_down, open_down, 1, y));
+        float d_a = LAPLACIAN(axes, diagonals, q, weights[x]), d_y = LAPLACIAN(y_axes, y_diagonals, y, y_weight);
+        float a_x = SEEN(a_here, open_own, 1, a) - SEEN(a_here, open_own, -1, a);
+        float a_y = SEEN(a_down, open_down, 0, a) - SEEN(a_up, open_up, 0, a);
+        float guided = ((0.5f * guide) * a) * (guide_x[x] * a_x + guide_y[x] * a_y);
+        PATTERN_STEP(a, y, p, d_a, d_y, guided)
+        a_new = open_own[x] > 0.0f ? a_new : a;
+        a_out[x] = a_new;
+        y_out[x] = open_own[x] > 0.0f ? y_new : y;
+        p_out[x] = open_own[x] > 0.0f ? p_new : p;
+        q_out[x] = a_new * a_new;
+    }
+}
+
+static void power(const float *restrict active, float *restrict out, int begin, int end, float k)
+{
+    FOR_CELLS(x, begin, end)
+    {
+        out[x] = portable_pow(active[x], k);
+    }
+}
+
+/* Openness of the two fluids: kappa_s = rho_y / 1, and for the ink 4 (rho_a + rho_p - 0.1), since branches are only .3
+ * to .7 deep and eq. 13 would keep ink blocked (departure). */
+#define INK_OPENNESS(depth) (4.0f * ((depth)-0.1f))
+
+static void pattern_end(const struct pattern_end_row *row)
+{
+    const float *restrict a_from = row->from, *restrict y_from = row->from + PATTERN_CATALYST * RING,
+                          *restrict p_from = row->from + PATTERN_CARVED * RING;
+    float *restrict a_to = row->to, *restrict y_to = row->to + PATTERN_CATALYST * row->stride,
+                    *restrict p_to = row->to + PATTERN_CARVED * row->stride;
+    int32_t *restrict changed = row->changed;
+    const int begin = row->begin, end = row->end;
+    FOR_CELLS(x, begin, end)
+    {
+        float a = a_from[x], y = y_from[x], p = p_from[x], a_old = a_to[x], y_old = y_to[x], p_old = p_to[x];
+        float open = INK_OPENNESS(a + p), open_old = INK_OPENNESS(a_old + p_old);
+        CLAMP(open, 0.0f, 1.0f)
+        CLAMP(open_old, 0.0f, 1.0f)
+        int32_t flags = (a != a_old) | (y != y_old) | (p != p_old);
+        flags |= a != 0.0f ? PATTERN_ALIVE : 0;
+        flags |= y != y_old ? PATTERN_OPENED : 0;
+        flags |= open != open_old ? PATTERN_OPENED : 0;
+        changed[x] |= flags;
+        a_to[x] = a;
+        y_to[x] = y;
+        p_to[x] = p;
+    }
+}
+
+static void fluid_end(const float *restrict density, float *restrict stored, const uint16_t *restrict s_max,
+                      int32_t *restrict changed, int begin, int end, float delta)
+{
+    FOR_CELLS(x, begin, end)
+    {
+        float rho = density[x], old = stored[x], most = (float)s_max[x] * UNIT_S_MAX;
+        float counts = rho < most ? rho : most, counted = old < most ? old : most;
+        float past = rho > delta ? 1.0f : 0.0f, was_past = old > delta ? 1.0f : 0.0f;
+        float differs = fabsf(counts - counted) + fabsf(past - was_past);
+        changed[x] |= differs > 0.0f;
+        stored[x] = rho;
+    }
+}
+
+const struct kernels KERNELS = {fluid, pigment, rates, pattern, pattern_full, power, pattern_end, fluid_end};

@@ -1,0 +1,113 @@
+/* Row kernels of the painting: each computes one row of cells from the rows around it. kernel.c is compiled once for
+ * each width of vectors; every copy gives the same bits. Rows lie in rings, RING floats apart from field to field, a
+ * constant so that every address is a base and an offset. Cells are counted from the first of the run; `begin` and
+ * `end` are multiples of 16; one cell beyond either is read. */
+#ifndef FROND_KERNEL_H
+#define FROND_KERNEL_H
+
+#include <stdint.h>
+
+enum {
+    RING = 608,       /* floats a row of a ring: 16 + 16 + 512 + 16 and room, and not a power of two */
+    RING_LEAD = 16,   /* floats before the first cell */
+    RUN_WIDEST = 512, /* cells of a run, without the 16 of halo on either side */
+    HALO = 16,
+    INKS = 4,
+};
+
+/* Fields of a row of the fluids, in the order of memory. Directions: rest, +x, +y, -x, -y, then the diagonals. */
+enum {
+    FLUID_SOLVENT = 0,
+    FLUID_INK = 9,
+    FLUID_WET = 18,
+    FLUID_FIELDS = FLUID_WET + INKS,
+};
+
+/* Openness 1 - kappa of the two fluids (section 4.2), behind the fluids in a ring row. CLOSED is an obstacle or the
+ * wall. */
+enum { OPEN_SOLVENT = 0, OPEN_INK = 1, OPEN_FIELDS = 2 };
+#define CLOSED (-4.0f)
+
+enum {
+    PATTERN_ACTIVE,
+    PATTERN_CATALYST,
+    PATTERN_CARVED,
+    PATTERN_FIELDS,
+    PATTERN_POWER = PATTERN_FIELDS,
+    PATTERN_RING_FIELDS
+};
+
+/* What the pattern layer needs of a cell and no step changes. */
+enum { RATE_DIFFUSION, RATE_GROWTH, RATE_CATALYST, RATE_WEIGHT, RATE_OPEN, RATE_GUIDE_X, RATE_GUIDE_Y, RATE_FIELDS };
+
+/* Bookkeeping of the fluids for the rest of the frame. */
+enum { FLOW_DENSITY, FLOW_U, FLOW_V, FLOW_MOVED, FLOW_FIELDS };
+
+struct fluid_row {
+    int begin, end;
+    const float *above, *here, *below;                /* [FLUID_FIELDS][RING] */
+    const float *open_above, *open_here, *open_below; /* [OPEN_FIELDS][RING] */
+    float *out;                                       /* [FLUID_FIELDS][RING] */
+    float *flow;                                      /* [FLOW_FIELDS][RING] */
+    int32_t *changed;                                 /* |= 1 where a population crossed a link */
+    float omega, inverse_mu, gamma;
+    float round; /* 1.5 * 2^23 * q: adding and taking it away rounds to multiples of q */
+};
+
+struct pattern_row {
+    int begin, end;
+    const float *above, *here, *below;              /* [PATTERN_RING_FIELDS][RING] */
+    const float *rates_above, *rates, *rates_below; /* [RATE_FIELDS][RING] */
+    float *out;                                     /* [PATTERN_RING_FIELDS][RING] */
+    float *sums;                                    /* [RING] of scratch */
+    float keep, carve, consume;                     /* 1 - dt beta_p; dt beta_p; dt beta_y */
+    float seam, guide;                              /* catalyst; dt beta_v */
+    float catalyst_weight; /* diagonal weight of the catalyst's Laplacian; only the full kernel heeds it */
+};
+
+struct rates_row { /* makes the rates of a row from its maps */
+    int begin, end;
+    const float *solvent;
+    const uint16_t *alpha_a, *xi, *beta_a, *s_max, *alpha_y;
+    const uint8_t *weight;
+    float *rates;                           /* [RATE_FIELDS][RING] */
+    float delta, scale_a, scale_b, scale_y; /* times dt and the units of the maps */
+    float fixed_weight;                     /* >= 0: instead of the map */
+};
+
+struct pattern_end_row { /* compares old and new of a row, and stores the new */
+    int begin, end, stride;
+    const float *from; /* [PATTERN_RING_FIELDS][RING] */
+    float *to;         /* [PATTERN_FIELDS][stride] */
+    int32_t *changed;  /* |= PATTERN_CHANGED, PATTERN_ALIVE, PATTERN_OPENED */
+};
+enum { PATTERN_CHANGED = 1, PATTERN_ALIVE = 2, PATTERN_OPENED = 4 };
+
+struct kernels {
+    void (*fluid)(const struct fluid_row *);
+    void (*pigment)(const struct fluid_row *);
+    void (*rates)(const struct rates_row *);
+    void (*pattern)(const struct pattern_row *); /* free ground: no obstacle, no guidance, catalyst by five points */
+    void (*pattern_full)(const struct pattern_row *); /* everything; the same bits on free ground */
+    void (*power)(const float *active, float *power, int begin, int end, float k); /* active^k */
+    void (*pattern_end)(const struct pattern_end_row *);
+    /* |= 1 where growth will see other solvent than before; stores the new density. */
+    void (*fluid_end)(const float *density, float *stored, const uint16_t *s_max, int32_t *changed, int begin, int end,
+                      float delta);
+};
+
+/* Units of the maps of coefficients: value = stored * unit. */
+#define UNIT_ALPHA_A (1.0f / 32768)
+#define UNIT_XI      (1.0f / 16384)
+#define UNIT_BETA_A  (1.0f / 4096)
+#define UNIT_S_MAX   (1.0f / 32768)
+#define UNIT_ALPHA_Y (1.0f / 16384)
+#define UNIT_WEIGHT  (1.0f / 1020)
+#define UNIT_GUIDE   (1.0f / 8192)
+
+extern const struct kernels kernels_narrow;
+#if defined(__x86_64__)
+extern const struct kernels kernels_avx2, kernels_avx512;
+#endif
+
+#endif

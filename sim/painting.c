@@ -1,0 +1,217 @@
+#include "painting.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include "painting_state.h"
+
+enum { HUGE_PAGE = 2 << 20 };
+
+struct painting_def painting_default_def(void)
+{
+    return (struct painting_def){.width = 720, .height = 720, .seed = 1, .coefficients = coefficients_default()};
+}
+
+static const struct kernels *choose_kernels(enum painting_vectors vectors)
+{
+#if defined(__x86_64__)
+    bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
+    if (wide && (vectors == VECTORS_BEST || vectors == VECTORS_AVX512)) {
+        return &kernels_avx512;
+    }
+    if (__builtin_cpu_supports("avx2") && vectors != VECTORS_NARROW) {
+        return &kernels_avx2;
+    }
+#endif
+    (void)vectors;
+    return &kernels_narrow;
+}
+
+/* Zeroed memory, its bytes counted. Large pieces begin on a huge page: rows of many fields otherwise exhaust the TLB.
+ */
+static void *take(struct painting *painting, size_t count, size_t size)
+{
+    size_t bytes = count * size, align = bytes >= HUGE_PAGE ? HUGE_PAGE : 64;
+    void *memory = aligned_alloc(align, (bytes + align - 1) / align * align);
+    if (memory) {
+        if (align == HUGE_PAGE) {
+            (void)madvise(memory, bytes, MADV_HUGEPAGE); /* advice: nothing is lost where it is not taken */
+        }
+        memset(memory, 0, bytes);
+        painting->bytes += bytes;
+    }
+    return memory;
+}
+
+static bool take_rows(struct painting *painting, struct bench_rows *rows)
+{
+    rows->fluid = take(painting, (size_t)FLUID_LEVELS * 3 * FLUID_FIELDS * RING, sizeof(float));
+    rows->open = take(painting, (size_t)OPEN_ROWS * OPEN_FIELDS * RING, sizeof(float));
+    rows->pattern = take(painting, (size_t)PATTERN_LEVELS * 3 * PATTERN_RING_FIELDS * RING, sizeof(float));
+    rows->rates = take(painting, (size_t)RATE_ROWS * RATE_FIELDS * RING, sizeof(float));
+    rows->flow = take(painting, (size_t)FLOW_FIELDS * RING, sizeof(float));
+    rows->closed = take(painting, (size_t)OPEN_FIELDS * RING, sizeof(float));
+    rows->changed = take(painting, 2 * (size_t)RING, sizeof(int32_t));
+    rows->fed = take(painting, (size_t)RING, sizeof(int32_t));
+    rows->unheard = take(painting, (size_t)RING, sizeof(int32_t));
+    for (size_t i = 0; rows->closed && i < (size_t)OPEN_FIELDS * RING; i++) {
+        rows->closed[i] = CLOSED;
+    }
+    return rows->fluid && rows->open && rows->pattern && rows->rates && rows->flow && rows->closed && rows->changed &&
+           rows->fed && rows->unheard;
+}
+
+static void free_rows(struct bench_rows *rows)
+{
+    free(rows->fluid);
+    free(rows->open);
+    free(rows->pattern);
+    free(rows->rates);
+    free(rows->flow);
+    free(rows->closed);
+    free(rows->changed);
+    free(rows->fed);
+    free(rows->unheard);
+}
+
+/* Room for the halos of the dense runs, which always suffices, and half as much again for many small ones. */
+static bool take_halo(struct painting *painting)
+{
+    struct halo_layout fluid = {painting->fluid, FLUID_FIELDS, FLUID_LEVELS - 1};
+    struct halo_layout pattern = {painting->pattern, PATTERN_FIELDS, PATTERN_LEVELS - 1};
+    tiles_wake(&painting->tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, true);
+    size_t need = halo_need(painting, &fluid), other = halo_need(painting, &pattern);
+    painting->halo_floats = (need > other ? need : other) * 3 / 2;
+    painting->halo = take(painting, painting->halo_floats, sizeof(float));
+    return painting->halo != NULL;
+}
+
+static bool take_state(struct painting *painting)
+{
+    size_t row = (size_t)painting->stride, cells = row * (size_t)painting->height;
+    size_t tiles = (size_t)painting->tiles.columns * (size_t)painting->tiles.rows;
+    painting->fluid = take(painting, cells * FLUID_FIELDS, sizeof(float));
+    painting->pattern = take(painting, cells * PATTERN_FIELDS, sizeof(float));
+    painting->solvent = take(painting, cells, sizeof(float));
+    painting->dry = take(painting, cells * INKS, sizeof(float));
+    painting->maps = take(painting, cells * MAPS, sizeof(uint16_t));
+    painting->stamped = take(painting, cells, sizeof(uint16_t));
+    painting->weight = take(painting, cells, sizeof(uint8_t));
+    painting->guide = take(painting, cells * 2, sizeof(int16_t));
+    painting->obstacle = take(painting, cells, sizeof(uint8_t));
+    painting->tile_sums = take(painting, tiles, sizeof(double));
+    painting->tile_carved = take(painting, tiles, sizeof(uint16_t));
+    painting->rows = take(painting, (size_t)team_size(painting->team), sizeof *painting->rows);
+    if (!painting->fluid || !painting->pattern || !painting->solvent || !painting->dry || !painting->maps ||
+        !painting->stamped || !painting->weight || !painting->guide || !painting->obstacle || !painting->tile_sums ||
+        !painting->tile_carved || !painting->rows) {
+        return false;
+    }
+    for (int i = 0; i < team_size(painting->team); i++) {
+        if (!take_rows(painting, &painting->rows[i])) {
+            return false;
+        }
+    }
+    return take_halo(painting);
+}
+
+static bool is_legal(const struct painting_def *def)
+{
+    return def->width >= PAINTING_SIZE_MIN && def->width <= PAINTING_SIZE_MAX && def->height >= PAINTING_SIZE_MIN &&
+           def->height <= PAINTING_SIZE_MAX && def->margin >= 0 && def->margin <= PAINTING_MARGIN_MAX;
+}
+
+struct painting *painting_create(const struct painting_def *def)
+{
+    struct painting *painting = is_legal(def) ? calloc(1, sizeof *painting) : NULL;
+    if (!painting) {
+        return NULL;
+    }
+    painting->def = *def;
+    painting->width = def->width + 2 * def->margin;
+    painting->height = def->height + 2 * def->margin;
+    painting->stride = (painting->width + 15) / 16 * 16 + 2 * SIDE;
+    if (painting->stride % 1024 == 0) {
+        painting->stride += 16; /* a row of 4 KiB puts all fields in the same cache sets */
+    }
+    painting->kernels = choose_kernels(def->vectors);
+    painting->team = team_create(def->threads);
+    if (!painting->team ||
+        !tiles_init(&painting->tiles, painting->width, painting->height, team_size(painting->team)) ||
+        !take_state(painting)) {
+        painting_destroy(painting);
+        return NULL;
+    }
+    painting->bytes += tiles_bytes(&painting->tiles) + sizeof *painting;
+    painting->effort.tiles = painting->tiles.columns * painting->tiles.rows;
+    painting_clear(painting);
+    painting_fill_maps(painting);
+    return painting;
+}
+
+void painting_destroy(struct painting *painting)
+{
+    if (!painting) {
+        return;
+    }
+    for (int i = 0; painting->rows && i < team_size(painting->team); i++) {
+        free_rows(&painting->rows[i]);
+    }
+    free(painting->rows);
+    free(painting->fluid);
+    free(painting->pattern);
+    free(painting->solvent);
+    free(painting->dry);
+    free(painting->maps);
+    free(painting->stamped);
+    free(painting->weight);
+    free(painting->guide);
+    free(painting->obstacle);
+    free(painting->halo);
+    free(painting->tile_sums);
+    free(painting->tile_carved);
+    tiles_finish(&painting->tiles);
+    team_destroy(painting->team);
+    free(painting);
+}
+
+void painting_tick(struct painting *painting)
+{
+    painting_fluid_sweep(painting);
+    painting_pattern_sweep(painting);
+    painting->tick++;
+    if (painting->tick % UPKEEP_TICKS == 0) {
+        painting_upkeep(painting);
+    }
+}
+
+int64_t painting_ticks(const struct painting *painting)
+{
+    return painting->tick;
+}
+
+struct painting_def painting_get_def(const struct painting *painting)
+{
+    return painting->def;
+}
+
+struct painting_effort painting_effort(const struct painting *painting)
+{
+    return painting->effort;
+}
+
+size_t painting_bytes(const struct painting *painting)
+{
+    return painting->bytes;
+}
+
+void painting_touch(struct painting *painting, int x0, int x1, int y0, int y1)
+{
+    static const enum tile_flag WAKES[] = {TILE_FLOWS, TILE_OPENED, TILE_GROWS, TILE_FED, TILE_CARVED, TILE_DAMP};
+    for (size_t i = 0; i < sizeof WAKES / sizeof WAKES[0]; i++) {
+        tiles_mark(&painting->tiles, WAKES[i], x0, x1, y0, y1);
+    }
+    painting->quiet_periods = 0;
+}

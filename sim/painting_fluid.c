@@ -1,0 +1,224 @@
+/* Solvent, ink and pigment: all LBM steps of a tick in one pass over memory. Row s comes in as step 0 while row s - t
+ * of step t is computed, for each step; the last step goes back to where the row came from. */
+#include <string.h>
+
+#include "painting_state.h"
+
+enum { STEPS_MOST = FLUID_LEVELS - 1 };
+
+struct fluid_pass {
+    struct painting *painting;
+    struct halo_layout layout;
+    const struct run *run;
+    struct bench_rows *rows;
+    struct span span;
+    int steps;
+    struct fluid_row kernel;
+};
+
+static float *level_row(const struct fluid_pass *pass, int level, int y)
+{
+    return pass->rows->fluid + ((size_t)level * 3 + (size_t)y % 3) * FLUID_FIELDS * RING + RING_LEAD;
+}
+
+static float *open_row(const struct fluid_pass *pass, int y)
+{
+    if (y < 0 || y >= pass->painting->height) {
+        return pass->rows->closed + RING_LEAD;
+    }
+    return pass->rows->open + (size_t)(y % OPEN_ROWS) * OPEN_FIELDS * RING + RING_LEAD;
+}
+
+static float clamp_unit(float value)
+{
+    value = value > 0.0f ? value : 0.0f;
+    return value < 1.0f ? value : 1.0f;
+}
+
+/* Section 7: where there is much ink, it crosses ground whose catalyst two neighbours have used up. */
+static void flood(const struct fluid_pass *pass, const float *liquid, const float *catalyst, float *ink_open)
+{
+    const float threshold = pass->painting->def.coefficients.flood;
+    const float *ink = liquid + FLUID_INK * RING;
+    for (int x = 0; x < pass->span.to - pass->span.from; x++) {
+        float rho = 0.0f;
+        for (int i = 0; i < 9; i++) {
+            rho += ink[i * RING + x];
+        }
+        float open = clamp_unit(rho / threshold - 1.0f) * clamp_unit(2.0f - 4.0f * catalyst[x]);
+        ink_open[x] = open > ink_open[x] ? open : ink_open[x];
+    }
+}
+
+/* Openness of row y (section 4.2 and eq. 13), from the pattern and the obstacles. */
+static void make_open(const struct fluid_pass *pass, int y)
+{
+    const struct painting *painting = pass->painting;
+    const float *active = pattern_row(painting, y) + pass->span.from, *catalyst = active + painting->stride,
+                *carved = catalyst + painting->stride;
+    const uint8_t *obstacle = obstacle_row(painting, y) + pass->span.from;
+    float *restrict solvent = open_row(pass, y), *restrict ink = solvent + RING;
+    int width = pass->span.to - pass->span.from;
+    for (int x = 0; x < width; x++) {
+        solvent[x] = clamp_unit(1.0f - catalyst[x]);
+        ink[x] = clamp_unit(4.0f * ((active[x] + carved[x]) - 0.1f));
+    }
+    if (painting->def.coefficients.flood > 0.0f) {
+        flood(pass, level_row(pass, 0, y), catalyst, ink);
+    }
+    if (pass->run->special) {
+        for (int x = 0; x < width; x++) {
+            solvent[x] = obstacle[x] ? CLOSED : solvent[x];
+            ink[x] = obstacle[x] ? CLOSED : ink[x];
+        }
+    }
+    int beyond = painting->width - pass->span.from;
+    for (int x = beyond; x < width; x++) {
+        solvent[x] = ink[x] = CLOSED;
+    }
+    solvent[-1] = ink[-1] = solvent[width] = ink[width] = CLOSED;
+}
+
+/* What has changed in a line of tiles; two lines are under way at a time. */
+static int32_t *changed_row(const struct fluid_pass *pass, int ty)
+{
+    return pass->rows->changed + (ty % 2) * RING + RING_LEAD;
+}
+
+static void prefetch(const float *row, int count)
+{
+    for (int x = 0; x < count; x += 16) {
+        __builtin_prefetch(row + x, 1, 2);
+    }
+}
+
+/* Asks for a share of the fields of the row that comes in next. */
+static void prefetch_next(const struct fluid_pass *pass, int y, int step)
+{
+    if (y >= pass->run->y1 || y < pass->run->y0) {
+        return;
+    }
+    const struct painting *painting = pass->painting;
+    const float *next = fluid_row(painting, y) + pass->run->x0;
+    for (int field = (step - 1) * FLUID_FIELDS / pass->steps; field < step * FLUID_FIELDS / pass->steps; field++) {
+        prefetch(next + field * painting->stride, pass->run->x1 - pass->run->x0);
+    }
+}
+
+/* Stores row y of the last step. */
+static void finish_row(struct fluid_pass *pass, int y)
+{
+    struct painting *painting = pass->painting;
+    const struct fluid_row *kernel = &pass->kernel;
+    const float *from = kernel->out + kernel->begin;
+    float *to = fluid_row(painting, y) + pass->run->x0;
+    for (int field = 0; field < FLUID_FIELDS; field++) {
+        memcpy(to + field * painting->stride, from + field * RING, (size_t)(kernel->end - kernel->begin) * sizeof *to);
+    }
+    int shift = pass->span.from;
+    painting->kernels->fluid_end(kernel->flow, solvent_row(painting, y) + shift,
+                                 map_row(painting, MAP_S_MAX, y) + shift, pass->rows->fed + RING_LEAD, kernel->begin,
+                                 kernel->end, painting->def.coefficients.delta);
+}
+
+static void compute_row(struct fluid_pass *pass, int step, int y)
+{
+    struct painting *painting = pass->painting;
+    struct fluid_row *kernel = &pass->kernel;
+    bool last = step == pass->steps, inside = y >= pass->run->y0 && y < pass->run->y1;
+    int above = y > 0 ? y - 1 : 0, below = y < painting->height - 1 ? y + 1 : y;
+    kernel->above = level_row(pass, step - 1, above);
+    kernel->here = level_row(pass, step - 1, y);
+    kernel->below = level_row(pass, step - 1, below);
+    kernel->open_above = open_row(pass, y - 1);
+    kernel->open_here = open_row(pass, y);
+    kernel->open_below = open_row(pass, y + 1);
+    kernel->out = level_row(pass, step, y);
+    kernel->begin = last ? pass->run->x0 - pass->span.from : 0;
+    kernel->end =
+        last && pass->run->x1 < painting->width ? pass->run->x1 - pass->span.from : pass->span.to - pass->span.from;
+    kernel->changed = inside ? changed_row(pass, y / TILE) : pass->rows->unheard + RING_LEAD;
+    painting->kernels->fluid(kernel);
+    painting->kernels->pigment(kernel);
+    if (last) {
+        finish_row(pass, y);
+    }
+}
+
+/* Gathers what the rows of a line of tiles have noted, and forgets it. */
+static void note_tiles(struct fluid_pass *pass, int ty)
+{
+    struct tiles *tiles = &pass->painting->tiles;
+    int32_t *changed = changed_row(pass, ty), *fed = pass->rows->fed + RING_LEAD;
+    int shift = pass->span.from, width = pass->span.to - pass->span.from;
+    for (int x0 = pass->run->x0; x0 < pass->run->x1; x0 += TILE) {
+        int at = ty * tiles->columns + x0 / TILE;
+        int32_t any_changed = 0, any_fed = 0;
+        for (int x = x0 - shift; x < x0 - shift + TILE; x++) {
+            any_changed |= changed[x];
+            any_fed |= fed[x];
+        }
+        tiles->flags[TILE_FLOWS][at] = any_changed != 0;
+        tiles->flags[TILE_WET][at] |= any_changed != 0;
+        tiles->flags[TILE_DAMP][at] |= any_changed != 0;
+        tiles->flags[TILE_FED][at] |= any_fed != 0;
+    }
+    memset(changed, 0, (size_t)width * sizeof *changed);
+    memset(fed, 0, (size_t)width * sizeof *fed);
+}
+
+static void sweep_run(void *context, int piece, int member)
+{
+    struct fluid_pass pass = *(struct fluid_pass *)context;
+    struct painting *painting = pass.painting;
+    const struct coefficients *coefficients = &painting->def.coefficients;
+    pass.run = &painting->tiles.runs[piece];
+    pass.rows = &painting->rows[member];
+    pass.span = run_span(painting, pass.run);
+    pass.kernel.flow = pass.rows->flow + RING_LEAD;
+    pass.kernel.omega = coefficients->omega;
+    pass.kernel.inverse_mu = 1.0f / coefficients->mu;
+    pass.kernel.gamma = coefficients->gamma;
+    pass.kernel.round = 1.5f * 8388608.0f / 8192.0f; /* q = 2^-13 */
+    int top = pass.run->y0 - pass.steps, bottom = pass.run->y1 + pass.steps;
+    int first = top < 0 ? 0 : top, end = bottom > painting->height ? painting->height : bottom;
+    for (int s = first; s < bottom; s++) {
+        if (s < end) {
+            halo_load(painting, &pass.layout, pass.run, s, level_row(&pass, 0, s));
+            make_open(&pass, s);
+        }
+        for (int step = 1; step <= pass.steps; step++) {
+            int y = s - step, reach = pass.steps - step;
+            if (y >= pass.run->y0 - reach && y < pass.run->y1 + reach && y >= 0 && y < painting->height) {
+                compute_row(&pass, step, y);
+            }
+            prefetch_next(&pass, s + 1, step);
+        }
+        int done = s - pass.steps;
+        if (done >= pass.run->y0 && done < pass.run->y1 && (done % TILE == TILE - 1 || done == pass.run->y1 - 1)) {
+            note_tiles(&pass, done / TILE);
+        }
+    }
+}
+
+static void save_run(void *context, int piece, int member)
+{
+    const struct fluid_pass *pass = context;
+    (void)member;
+    halo_save(pass->painting, &pass->layout, &pass->painting->tiles.runs[piece]);
+}
+
+void painting_fluid_sweep(struct painting *painting)
+{
+    struct fluid_pass pass = {.painting = painting, .steps = painting->def.coefficients.fluid_steps};
+    pass.steps = pass.steps > STEPS_MOST ? STEPS_MOST : pass.steps;
+    pass.layout = (struct halo_layout){painting->fluid, FLUID_FIELDS, pass.steps};
+    tiles_wake(&painting->tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, painting->def.dense);
+    painting->effort.fluid_awake = painting->tiles.awake_count;
+    if (!halo_place(painting, &pass.layout)) {
+        tiles_wake(&painting->tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, true);
+        halo_place(painting, &pass.layout);
+    }
+    team_run(painting->team, save_run, &pass, painting->tiles.run_count);
+    team_run(painting->team, sweep_run, &pass, painting->tiles.run_count);
+}

@@ -1,0 +1,27 @@
+/* The cells that an action touches, and how strongly. Inside sim only. */
+#ifndef FROND_PAINTING_REGION_H
+#define FROND_PAINTING_REGION_H
+
+#include "painting_state.h"
+
+struct region {
+    const struct painting *painting;
+    const struct action *action;
+    enum { REGION_ALL, REGION_DISC, REGION_STROKE, REGION_RASTER } kind;
+    const struct action_raster *raster;
+    float x, y;         /* middle of a disc, cells of the whole sheet */
+    float radius;       /* of a disc, or half the width of a stroke, cells */
+    int x0, x1, y0, y1; /* bounds, clipped to the sheet */
+};
+
+/* From `path`, else from `formula` or `picture`, else from `at`, else the whole sheet. */
+struct region region_of(const struct painting *painting, const struct action *action);
+/* Distance of a cell from the middle of a disc or from a stroke, cells. For a stroke, `along` (may be NULL) is the unit
+ * direction of the nearest piece. */
+float region_distance(const struct region *region, int x, int y, struct point *along);
+/* Whether a region, hard at its edge, holds a cell: a raster where its value is above a half (a picture: below). */
+bool region_holds(const struct region *region, int x, int y);
+/* A raster at a cell, bilinear, clamped at the borders. */
+float region_sample(const struct painting *painting, const struct action_raster *raster, int channel, int x, int y);
+
+#endif

@@ -1,0 +1,154 @@
+/* The inside of a painting, shared by the files that make it up; nobody else includes this.
+ *   painting.c          life, tick, reading, hash
+ *   painting_fluid.c    solvent, ink and pigment: a sweep of all LBM steps of a tick
+ *   painting_pattern.c  the pattern: a sweep of all its steps of a tick
+ *   painting_upkeep.c   drying, re-wetting, evaporation, settling
+ *   painting_act.c      actions; painting_region.c the cells they touch; painting_coefficients.c maps and brushes
+ * State is stored once, in place: before a sweep each run saves the rows and columns around it that its neighbours will
+ * overwrite; then all runs compute at once, row by row through rings that fit the second-level cache. */
+#ifndef FROND_PAINTING_STATE_H
+#define FROND_PAINTING_STATE_H
+
+#include "kernel.h"
+#include "painting.h"
+#include "team.h"
+#include "tiles.h"
+
+enum { SIDE = 16 }; /* floats before and after each row */
+
+enum obstacle { OBSTACLE_MASK = 1, OBSTACLE_LINE = 2 };
+
+/* Scratch of one thread. */
+struct bench_rows {
+    float *fluid;           /* [LEVELS][3][FLUID_FIELDS][RING] */
+    float *open;            /* [OPEN_ROWS][OPEN_FIELDS][RING] */
+    float *pattern;         /* [LEVELS][3][PATTERN_RING_FIELDS][RING] */
+    float *rates;           /* [RATE_ROWS][RATE_FIELDS][RING] */
+    float *flow;            /* [FLOW_FIELDS][RING]; the pattern's sums */
+    float *closed;          /* [RATE_FIELDS][RING] of CLOSED: beyond the sheet */
+    int32_t *changed;       /* [2][RING] */
+    int32_t *fed, *unheard; /* [RING] */
+};
+enum { FLUID_LEVELS = 4 + 1, PATTERN_LEVELS = 8 + 1, OPEN_ROWS = 8, RATE_ROWS = 16 };
+
+/* Coefficients that vary over the sheet, one map each in the units of kernel.h. */
+enum map { MAP_ALPHA_A, MAP_XI, MAP_BETA_A, MAP_S_MAX, MAP_ALPHA_Y, MAPS };
+
+struct painting {
+    struct painting_def def;
+    int width, height; /* cells, margin included */
+    int stride;        /* floats a row */
+    int64_t tick;
+    struct team *team;
+    struct tiles tiles;
+    const struct kernels *kernels;
+
+    float *fluid;      /* [height][FLUID_FIELDS][stride] */
+    float *pattern;    /* [height][PATTERN_FIELDS][stride] */
+    float *solvent;    /* [height][stride], density after the last fluid step */
+    float *dry;        /* [height][INKS][stride] */
+    uint16_t *maps;    /* [height][MAPS][stride] */
+    uint16_t *stamped; /* [height][stride], distance to the drop whose brush a cell follows, sixteenths of a cell */
+    uint8_t *weight;   /* [height][stride], diagonal weight of the stencil */
+    int16_t *guide;    /* [height][2][stride] */
+    uint8_t *obstacle; /* [height][stride], enum obstacle */
+    float *halo;       /* what runs save */
+    size_t halo_floats;
+    struct bench_rows *rows; /* one for each member of the team */
+    double *tile_sums;       /* scratch of the upkeep: one a tile */
+    uint16_t *tile_carved;   /* carved cells of each tile when last counted */
+    size_t bytes;
+
+    struct painting_effort effort;
+    double evaporated, ink_dried;
+    int quiet_periods; /* of upkeep, since the last action, in which the carved area hardly grew */
+    int64_t carved;    /* cells */
+};
+
+enum { UPKEEP_TICKS = 64 };
+
+/* First cell of a row of a field. */
+static inline float *fluid_row(const struct painting *painting, int y)
+{
+    return painting->fluid + (size_t)y * FLUID_FIELDS * (size_t)painting->stride + SIDE;
+}
+
+static inline float *pattern_row(const struct painting *painting, int y)
+{
+    return painting->pattern + (size_t)y * PATTERN_FIELDS * (size_t)painting->stride + SIDE;
+}
+
+static inline float *solvent_row(const struct painting *painting, int y)
+{
+    return painting->solvent + (size_t)y * (size_t)painting->stride + SIDE;
+}
+
+static inline float *dry_row(const struct painting *painting, int y)
+{
+    return painting->dry + (size_t)y * INKS * (size_t)painting->stride + SIDE;
+}
+
+static inline uint16_t *map_row(const struct painting *painting, enum map map, int y)
+{
+    return painting->maps + ((size_t)y * MAPS + (size_t)map) * (size_t)painting->stride + SIDE;
+}
+
+static inline uint16_t *stamped_row(const struct painting *painting, int y)
+{
+    return painting->stamped + (size_t)y * (size_t)painting->stride + SIDE;
+}
+
+static inline uint8_t *weight_row(const struct painting *painting, int y)
+{
+    return painting->weight + (size_t)y * (size_t)painting->stride + SIDE;
+}
+
+static inline int16_t *guide_row(const struct painting *painting, int axis, int y)
+{
+    return painting->guide + ((size_t)y * 2 + (size_t)axis) * (size_t)painting->stride + SIDE;
+}
+
+static inline uint8_t *obstacle_row(const struct painting *painting, int y)
+{
+    return painting->obstacle + (size_t)y * (size_t)painting->stride + SIDE;
+}
+
+/* Columns of a run with its halo, in whole vectors: [from, to) of the sheet. */
+struct span {
+    int from, to;
+};
+static inline struct span run_span(const struct painting *painting, const struct run *run)
+{
+    int to = run->x1 < painting->width ? run->x1 + HALO : run->x1, whole = (painting->width + 15) / 16 * 16;
+    return (struct span){run->x0 == 0 ? 0 : run->x0 - HALO, run->x1 >= painting->width || to > whole ? whole : to};
+}
+
+void painting_fluid_sweep(struct painting *painting);
+void painting_pattern_sweep(struct painting *painting);
+void painting_upkeep(struct painting *painting);
+
+/* Tiles and derived state that a change of cells [x0, x1) x [y0, y1) touches: everything there wakes. */
+void painting_touch(struct painting *painting, int x0, int x1, int y0, int y1);
+
+/* Maps from the coefficients of now, everywhere; forgets all stamps. */
+void painting_fill_maps(struct painting *painting);
+void painting_stamp(struct painting *painting, int x, int y, int brush, float reach);
+void painting_set(struct painting *painting, const struct action *action);
+void painting_clear(struct painting *painting);
+
+/* Saved halos (painting_halo.c): `fields` fields of rows `rows` are `stride` apart in `base`, `levels` cells deep. */
+struct halo_layout {
+    float *base;
+    int fields, levels;
+};
+/* Gives each run its place; false when there is not enough room, and then the runs must be made dense. */
+bool halo_place(struct painting *painting, const struct halo_layout *layout);
+void halo_save(const struct painting *painting, const struct halo_layout *layout, const struct run *run);
+/* Row y of a run and its halo, as it was before the sweep, into a ring row [fields][RING] whose first cell is
+ * span.from. */
+void halo_load(const struct painting *painting, const struct halo_layout *layout, const struct run *run, int y,
+               float *ring);
+/* Floats that the halos of the present runs take. */
+size_t halo_need(const struct painting *painting, const struct halo_layout *layout);
+
+#endif
