@@ -62,7 +62,11 @@ const char *value_allowed(const struct key *key, char *buffer, size_t size)
     switch (key->type) {
     case KEY_NUMBER:
     case KEY_INTEGER:
-        snprintf(buffer, size, "%.10g to %.10g%s%s", key->min, key->max, *unit ? " " : "", unit);
+        if (key->min < key->max) {
+            snprintf(buffer, size, "%.10g to %.10g%s%s", key->min, key->max, *unit ? " " : "", unit);
+        } else {
+            snprintf(buffer, size, "only %.10g%s%s", key->min, *unit ? " " : "", unit);
+        }
         break;
     case KEY_FLAG:
         snprintf(buffer, size, "true or false");

@@ -155,8 +155,16 @@ bool stats_write(const char *path, const struct script *script, const struct pai
 
     const char *text = json_object_to_json_string_ext(root, JSON_C_TO_STRING_PRETTY | JSON_C_TO_STRING_SPACED |
                                                                 JSON_C_TO_STRING_NOSLASHESCAPE);
-    bool good = text ? file_write_atomic(path, text, strlen(text), error)
-                     : file_fail(error, path, "memory is short for the figures");
+    size_t length = text ? strlen(text) : 0;
+    char *file = text ? malloc(length + 2) : NULL;
+    bool good = false;
+    if (file) {
+        snprintf(file, length + 2, "%s\n", text);
+        good = file_write_atomic(path, file, length + 1, error);
+    } else {
+        file_fail(error, path, "memory is short for the figures");
+    }
+    free(file);
     json_object_put(root);
     return good;
 }
