@@ -63,8 +63,10 @@ static bool read_formula(struct reader *reader, const struct yaml_node *node, st
         return false;
     }
     if (channels == 2 && (node->kind != YAML_LIST || node->count != 2)) {
+        char count[48];
+        snprintf(count, sizeof count, "a list of %d", node->count);
         reader_problem(reader, node, "%s where two expressions should be; [x part, y part]",
-                       node->kind == YAML_LIST ? "another number of them" : yaml_found(node, found, sizeof found));
+                       node->kind == YAML_LIST ? count : yaml_found(node, found, sizeof found));
         return false;
     }
     if (!take_values(reader, node, cells * (size_t)channels)) {

@@ -151,8 +151,10 @@ static void locate(struct building *building, struct fy_token *token)
 {
     const struct fy_mark *mark = token ? fy_token_start_mark(token) : NULL;
     if (mark) {
+        enum fy_scalar_style style = fy_token_scalar_style(token);
+        bool quoted = style == FYSS_SINGLE_QUOTED || style == FYSS_DOUBLE_QUOTED;
         building->line = mark->line + 1;
-        building->column = mark->column + 1;
+        building->column = mark->column + 1 - (quoted && mark->column > 0); /* the mark stands behind the quote */
     }
 }
 
