@@ -134,6 +134,8 @@ static bool ink_share(const struct picture *picture, size_t at, const float *loc
         memset(body, 0, (size_t)width * sizeof *body);
         return false;
     }
+    /* The paper's mixing clips to black where Kubelka-Munk only deepens. */
+    float fullest = picture->def.mixing == INK_CMY ? 1.05f : 1.9f;
     for (int x = 0; x < width; x++) {
         float pigment = share[x];
         float h = depth[x] > 0 ? depth[x] : 0;
@@ -145,7 +147,7 @@ static bool ink_share(const struct picture *picture, size_t at, const float *loc
         line[x] = (pigment < 0.25f ? 4 * pigment : 1) * (1 - carved);
         body[x] = pigment < 0.05f ? 20 * pigment : 1;
         /* Ink saturates: twice the pigment is not twice as dark. A drawn line has no depth to thicken it. */
-        float ink = 1.9f * (1 - exponential(-pigment * (1 / 0.45f)));
+        float ink = fullest * (1 - exponential(-pigment * (1 / 0.45f)));
         share[x] = ink / (pigment > 1e-6f ? pigment : 1e-6f) * (0.8f + (veins - 0.8f) * carved);
     }
     return true;

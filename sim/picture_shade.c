@@ -6,7 +6,7 @@
 #include "exponential.h"
 
 /* One row of one layer from the rows of cells that are at hand, by the weights of picture row y. */
-static void combine(const struct picture_worker *worker, enum picture_layer layer, int y, float *out)
+static void combine(const struct picture_worker *worker, int layer, int y, float *out)
 {
     const struct picture *picture = worker->picture;
     const struct resample *down = &picture->down[layer >= LAYER_SMOOTH];
