@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <new>
 #include <string>
 #include <vector>
@@ -162,7 +163,7 @@ class to_linear
     std::vector<float> m_table;
 };
 
-void check(const OIIO::ImageSpec &spec, const read_limits &limits)
+void check_size(const OIIO::ImageSpec &spec, const read_limits &limits)
 {
     if (spec.width > limits.width || spec.height > limits.height) {
         refuse_size(IMAGE_REPLY_SIZE, spec);
@@ -170,6 +171,11 @@ void check(const OIIO::ImageSpec &spec, const read_limits &limits)
     if (spec.nchannels > limits.channels) {
         refuse_size(IMAGE_REPLY_CHANNELS, spec);
     }
+}
+
+void check(const OIIO::ImageSpec &spec, const read_limits &limits)
+{
+    check_size(spec, limits);
     if (spec.deep || spec.depth > 1) {
         refuse(IMAGE_REPLY_DEEP);
     }
@@ -209,7 +215,6 @@ void read_values(OIIO::ImageInput &input, const OIIO::ImageSpec &spec)
     }
 }
 
-// Warm: what a decoder loads or asks the machine on its first use must happen before the filter.
 std::unique_ptr<OIIO::ImageInput> make_reader(const std::string &format)
 {
     auto input = OIIO::ImageInput::create(format);
@@ -238,10 +243,11 @@ std::unique_ptr<OIIO::ImageInput> make_reader(const std::string &format)
     OIIO::ImageSpec config, spec;
     config.attribute("oiio:UnassociatedAlpha", 1);
     bool opened = input->set_ioproxy(&memory) && input->open("picture", spec, config);
-    check(opened ? spec : input->spec(), limits);
     if (!opened) {
+        check_size(input->spec(), limits); // says more than the decoder does when it gave up over the size
         refuse(IMAGE_REPLY_DAMAGED, input->geterror());
     }
+    check(spec, limits);
     read_values(*input, spec);
     struct image_reply reply = make_reply(IMAGE_REPLY_OK);
     reply.width = static_cast<uint32_t>(spec.width);
@@ -328,6 +334,9 @@ bool write_planes(OIIO::ImageOutput &output, const OIIO::ImageSpec &spec)
 void serve(int argc, char **argv)
 {
     std::string order = argc > 2 ? argv[1] : "", format = argc > 2 ? argv[2] : "";
+    // The date in an EXR is the only use of a time zone, and a zone would be a file.
+    setenv("TZ", "UTC0", 1);
+    tzset();
     // No threads: the filter forbids them. -1 tells OpenEXR to work on the caller's own.
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);

@@ -25,7 +25,8 @@
 #define SANITIZED 0
 #endif
 
-/* Calls that need no look at their arguments. */
+/* Calls that need no look at their arguments. The last two: a thread that a library started before the filter may only
+ * now begin to run. */
 static const int allowed[] = {
     SCMP_SYS(read),           SCMP_SYS(readv),        SCMP_SYS(pread64),       SCMP_SYS(write),
     SCMP_SYS(writev),         SCMP_SYS(pwrite64),     SCMP_SYS(lseek),         SCMP_SYS(_llseek),
@@ -34,7 +35,8 @@ static const int allowed[] = {
     SCMP_SYS(futex_time64),   SCMP_SYS(sched_yield),  SCMP_SYS(clock_gettime), SCMP_SYS(clock_gettime64),
     SCMP_SYS(gettimeofday),   SCMP_SYS(getrandom),    SCMP_SYS(getpid),        SCMP_SYS(gettid),
     SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(sigaltstack),   SCMP_SYS(restart_syscall),
-    SCMP_SYS(exit),           SCMP_SYS(exit_group),
+    SCMP_SYS(exit),           SCMP_SYS(exit_group),   SCMP_SYS(sysinfo),       SCMP_SYS(set_robust_list),
+    SCMP_SYS(rseq),
 };
 
 /* Only the sanitizers' own threads and checks call these. */
@@ -125,12 +127,12 @@ static int add_rules(scmp_filter_ctx filter)
     /* abort() signals the process itself. */
     code = code ? code
                 : seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 1,
-                                   SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)getpid()));
+                                   SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)getpid(), 0));
     /* fstat() and questions about flags go this way on some machines; a path cannot be opened with it. */
-    code = code ? code : seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(fcntl), 1, SCMP_A1(SCMP_CMP_EQ, F_GETFL));
-    return code
-               ? code
-               : seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat), 1, SCMP_A3(SCMP_CMP_EQ, AT_EMPTY_PATH));
+    code = code ? code : seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(fcntl), 1, SCMP_A1(SCMP_CMP_EQ, F_GETFL, 0));
+    return code ? code
+                : seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat), 1,
+                                   SCMP_A3(SCMP_CMP_EQ, AT_EMPTY_PATH, 0));
 }
 
 static const char *enter_filter(void)

@@ -1,0 +1,180 @@
+/* Broken pictures of every format, from two threads: an error or a picture, and the caller lives, keeps its descriptors
+ * and has no children left. The same files every time. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <dirent.h>
+#include <errno.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "image.h"
+
+enum { FILES = 320, THREADS = 2, SIZE_MAX_BYTES = 4096, HEADER = 64 };
+
+static const char *const samples[] = {
+    "rgb.png",  "alpha.png", "progressive.jpg", "turned.jpg", "rgb.tif",
+    "half.exr", "tiled.exr", "lossless.webp",   "lossy.webp", "tiled.tif",
+};
+
+struct tally {
+    pthread_t thread;
+    int first; /* this one and every THREADS-th after it */
+    int pictures, errors;
+    char wrong[FILE_ERROR_TEXT + 64]; /* empty: all well */
+};
+
+/* xorshift32, Marsaglia 2003. */
+static uint32_t next(uint32_t *random)
+{
+    *random ^= *random << 13;
+    *random ^= *random >> 17;
+    *random ^= *random << 5;
+    return *random;
+}
+
+static void change(uint8_t *bytes, size_t *size, int number)
+{
+    static const uint8_t extremes[] = {0x00, 0xff, 0x7f, 0x80};
+    uint32_t random = (uint32_t)number * 2654435761u + 1;
+    next(&random);
+    size_t header = *size < HEADER ? *size : HEADER;
+    switch (number / 10 % 4) {
+    case 0: /* cut short, but not before the magic */
+        *size = 12 + next(&random) % (*size - 12);
+        break;
+    case 1: /* single bits, anywhere */
+        for (uint32_t i = 1 + next(&random) % 8; i > 0; i--) {
+            bytes[12 + next(&random) % (*size - 12)] ^= (uint8_t)(1u << next(&random) % 8);
+        }
+        break;
+    case 2: /* lies in the header: sizes, counts, offsets */
+        for (uint32_t i = 1 + next(&random) % 4; i > 0; i--) {
+            bytes[8 + next(&random) % (header - 8)] = extremes[next(&random) % sizeof extremes];
+        }
+        break;
+    default: /* a stretch of noise */
+        for (size_t at = 12 + next(&random) % (*size - 12), end = at + 16; at < *size && at < end; at++) {
+            bytes[at] = (uint8_t)next(&random);
+        }
+    }
+}
+
+static bool make_broken(const char *path, int number)
+{
+    uint8_t bytes[SIZE_MAX_BYTES];
+    char sample[512];
+    snprintf(sample, sizeof sample, IMAGE_SAMPLES "/%s", samples[number % (int)(sizeof samples / sizeof samples[0])]);
+    FILE *file = fopen(sample, "rb");
+    if (!file) {
+        return false;
+    }
+    size_t size = fread(bytes, 1, sizeof bytes, file);
+    fclose(file);
+    change(bytes, &size, number);
+    file = fopen(path, "wb");
+    if (!file) {
+        return false;
+    }
+    bool written = fwrite(bytes, 1, size, file) == size;
+    return fclose(file) == 0 && written;
+}
+
+static bool sound(const struct image *image)
+{
+    if (image->width < 1 || image->height < 1 || image->channels < 1 || image->channels > 4 || !image->values) {
+        return false;
+    }
+    for (int i = 0; i < image->width * image->height * image->channels; i++) {
+        if (!isfinite(image->values[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void *read_broken(void *argument)
+{
+    struct tally *tally = argument;
+    struct image_def def = image_default_def();
+    def.helper = IMAGE_HELPER;
+    def.width = def.height = 1024;
+    for (int number = tally->first; number < FILES && !tally->wrong[0]; number += THREADS) {
+        char path[64];
+        snprintf(path, sizeof path, "broken-%03d", number);
+        struct image image;
+        struct file_error error = {""};
+        if (!make_broken(path, number)) {
+            snprintf(tally->wrong, sizeof tally->wrong, "%s: could not be made", path);
+            break;
+        }
+        bool read = image_read(path, &def, &image, &error);
+        remove(path);
+        read ? tally->pictures++ : tally->errors++;
+        bool told = strncmp(error.text, path, strlen(path)) == 0 && strlen(error.text) > strlen(path) + 4;
+        bool helper_failed = strstr(error.text, "helper") || strstr(error.text, "what it may not");
+        if (!sound(&image) || read == told || helper_failed) {
+            snprintf(tally->wrong, sizeof tally->wrong, "%s: read %d, error \"%s\"", path, read, error.text);
+        }
+        image_finish(&image);
+    }
+    return NULL;
+}
+
+static int open_descriptors(void)
+{
+    int count = 0;
+    DIR *all = opendir("/proc/self/fd");
+    assert_non_null(all);
+    while (readdir(all)) {
+        count++;
+    }
+    closedir(all);
+    return count;
+}
+
+static void survives_broken_pictures(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/frond-broken-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(chdir(folder), 0);
+    int before = open_descriptors();
+    struct tally tallies[THREADS] = {0};
+    int pictures = 0, errors = 0;
+    for (int i = 0; i < THREADS; i++) {
+        tallies[i].first = i;
+        assert_int_equal(pthread_create(&tallies[i].thread, NULL, read_broken, &tallies[i]), 0);
+    }
+    for (int i = 0; i < THREADS; i++) {
+        assert_int_equal(pthread_join(tallies[i].thread, NULL), 0);
+        pictures += tallies[i].pictures;
+        errors += tallies[i].errors;
+    }
+    assert_int_equal(chdir("/"), 0);
+    for (int i = 0; i < THREADS; i++) {
+        assert_string_equal(tallies[i].wrong, "");
+    }
+    assert_int_equal(rmdir(folder), 0);
+    assert_int_equal(open_descriptors(), before);
+    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
+    assert_int_equal(errno, ECHILD);
+    print_message("%d pictures, %d errors\n", pictures, errors);
+    assert_int_equal(pictures + errors, FILES);
+    assert_in_range(errors, FILES / 4, FILES - FILES / 10);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(survives_broken_pictures)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
