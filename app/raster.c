@@ -5,7 +5,7 @@
 
 int raster_channels(enum raster_kind kind)
 {
-    return kind == RASTER_BRIGHTNESS || kind == RASTER_DARKNESS ? 1 : 2;
+    return kind == RASTER_BRIGHTNESS ? 1 : 2;
 }
 
 static float bound(double value, double low, double high)
@@ -137,12 +137,10 @@ static void fill_gradient(const double *plane, bool along, int width, int height
     }
 }
 
-static void fill_plain(const double *plane, enum raster_kind kind, size_t cells, float *values)
+static void fill_plain(const double *plane, bool vectors, size_t cells, float *values)
 {
     for (size_t i = 0; i < cells; i++) {
-        values[i] = kind == RASTER_VECTORS    ? bound(2 * plane[i] - 1, -1, 1)
-                    : kind == RASTER_DARKNESS ? bound(1 - plane[i], 0, 1)
-                                              : bound(plane[i], 0, 1);
+        values[i] = vectors ? bound(2 * plane[i] - 1, -1, 1) : bound(plane[i], 0, 1);
     }
 }
 
@@ -164,11 +162,11 @@ bool raster_from_picture(const struct script_picture *picture, enum raster_kind 
         }
         fill_gradient(plane, kind == RASTER_ALONG_EDGES, width, height, values);
     } else if (good) {
-        fill_plain(plane, kind, cells, values);
+        fill_plain(plane, vectors, cells, values);
     }
     if (good && vectors) {
         good = fit(picture, 1, width, height, plane);
-        fill_plain(plane, kind, good ? cells : 0, values + cells);
+        fill_plain(plane, vectors, good ? cells : 0, values + cells);
     }
     free(spare);
     free(plane);

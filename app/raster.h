@@ -8,8 +8,7 @@
 
 enum raster_kind {
     RASTER_BRIGHTNESS,   /* 0..1, linear light */
-    RASTER_DARKNESS,     /* 1 - brightness */
-    RASTER_TOWARDS_DARK, /* gradient of darkness, length 0..1 */
+    RASTER_TOWARDS_DARK, /* gradient of darkness (1 - brightness), length 0..1 */
     RASTER_ALONG_EDGES,  /* that gradient, turned a quarter clockwise */
     RASTER_VECTORS,      /* red and green as x and y: 0 is -1, one half is 0, 1 is 1 */
 };

@@ -93,11 +93,8 @@ static bool read_formula(struct reader *reader, const struct yaml_node *node, st
 
 static enum raster_kind kind_of(const struct action *action)
 {
-    if (action->verb == ACTION_SET) {
-        return RASTER_BRIGHTNESS;
-    }
     if (action->verb != ACTION_GUIDE) {
-        return RASTER_DARKNESS;
+        return RASTER_BRIGHTNESS; /* a mask is where it is below one half: the engine's rule (action.h) */
     }
     return action->reading == READ_VECTORS       ? RASTER_VECTORS
            : action->reading == READ_ALONG_EDGES ? RASTER_ALONG_EDGES
