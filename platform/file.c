@@ -70,7 +70,7 @@ bool file_fail_code(struct file_error *error, const char *path, int code)
     return file_fail(error, path, "%s", text);
 }
 
-static bool write_whole(int fd, const void *data, size_t size)
+bool file_write_whole(int fd, const void *data, size_t size)
 {
     const char *at = data;
     while (size > 0) {
@@ -133,7 +133,7 @@ bool file_write_atomic(const char *path, const void *data, size_t size, struct f
     }
     int code = errno;
     if (fd >= 0) {
-        bool written = write_whole(fd, data, size) && fsync(fd) == 0;
+        bool written = file_write_whole(fd, data, size) && fsync(fd) == 0;
         code = errno;
         if (close(fd) != 0 && written) {
             written = false;

@@ -22,6 +22,9 @@ bool file_fail(struct file_error *error, const char *path, const char *reason, .
 /* The same for a value of errno, in the words of a curator where there are any. */
 bool file_fail_code(struct file_error *error, const char *path, int code);
 
+/* Writes all of it to an open descriptor; false with errno. */
+bool file_write_whole(int fd, const void *data, size_t size);
+
 /* Makes `path` hold exactly these bytes: a temporary in the same folder, fsync, rename, fsync of the folder. A file of
  * that name is replaced (a symbolic link too, not what it points to). On failure the old file is as it was and nothing
  * is left behind. The mode is 0666 less the umask. Costs two waits for the disk; callers with a frame to show use

@@ -197,23 +197,6 @@ void image_finish(struct image *image)
     }
 }
 
-static bool write_all(int fd, const void *data, size_t size)
-{
-    const char *at = data;
-    while (size > 0) {
-        ssize_t written = write(fd, at, size);
-        if (written < 0 && errno == EINTR) {
-            continue;
-        }
-        if (written < 0) {
-            return false;
-        }
-        at += written;
-        size -= (size_t)written;
-    }
-    return true;
-}
-
 static bool encode(const char *path, const char *const *request, int input, const struct image_def *def,
                    struct file_error *error)
 {
@@ -270,7 +253,7 @@ static bool send(const char *path, const char *request[], const void *const *par
     int input = make_memory(path, error);
     bool sent = input >= 0;
     for (int i = 0; sent && i < count; i++) {
-        if (!write_all(input, parts[i], size)) {
+        if (!file_write_whole(input, parts[i], size)) {
             sent = file_fail_code(error, path, errno);
         }
     }

@@ -10,7 +10,8 @@
  *     image_finish(&image);
  *
  * Read: PNG, JPEG, TIFF, EXR, WebP, told apart by their first bytes and never by name. Written: PNG and EXR. All
- * functions may be called from any thread and block: a read takes about 0.2 s more than the decoding. */
+ * functions may be called from any thread of a process that does not ignore SIGCHLD, and block: a read takes about 0.2
+ * s more than the decoding. */
 #ifndef FROND_IMAGE_H
 #define FROND_IMAGE_H
 
@@ -31,7 +32,8 @@ enum {
 struct image_def {
     int width, height;  /* pixels, at most; 1..IMAGE_SIZE_MAX */
     int channels;       /* at most; 1..IMAGE_CHANNELS_MAX */
-    int megabytes;      /* at most, of the values handed back, and again of the decoder's own memory; 1..4096 */
+    int megabytes;      /* at most, of the values handed back, and again of the decoder's own memory; 1..4096. Below 128
+                           decoders refuse even small pictures */
     int seconds;        /* of processor for a read; two more by the clock end it in any case; 1..600 */
     int write_seconds;  /* the same for a write */
     const char *helper; /* path of frond-image; NULL: beside this program, in ../libexec/frond, or where installed */

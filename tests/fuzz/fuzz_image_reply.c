@@ -10,7 +10,7 @@
 enum {
     NUMBERS = 7,     /* from magic to orientation */
     TEXT = 80,       /* longer than a name */
-    SMALL = 1,       /* choice: numbers of one byte instead of four */
+    SMALL = 1,       /* choice: numbers of one signed byte instead of four */
     MAGIC = 2,       /* choice: with the magic, which would be hard to guess */
     FITTING = 4,     /* choice: as many values as the numbers ask for */
     SHORT = 8,       /* choice: a reply too short for its header */
@@ -63,10 +63,10 @@ static void make_head(struct image_reply *head, int choices, const uint8_t **dat
 {
     uint32_t numbers[NUMBERS] = {0};
     if (choices & SMALL) {
-        uint8_t bytes[NUMBERS] = {0};
+        int8_t bytes[NUMBERS] = {0};
         take(bytes, sizeof bytes, data, size);
         for (int i = 0; i < NUMBERS; i++) {
-            numbers[i] = bytes[i];
+            numbers[i] = (uint32_t)(int32_t)bytes[i];
         }
     } else {
         take(numbers, sizeof numbers, data, size);

@@ -19,7 +19,7 @@
 
 #include "image.h"
 
-enum { FILES = 320, THREADS = 2, SIZE_MAX_BYTES = 4096, HEADER = 64 };
+enum { FILES = 300, THREADS = 2, SIZE_MAX_BYTES = 4096, HEADER = 64 };
 
 static const char *const samples[] = {
     "rgb.png",  "alpha.png", "progressive.jpg", "turned.jpg", "rgb.tif",
