@@ -1,0 +1,160 @@
+#include <getopt.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "command.h"
+#include "option.h"
+#include "picture.h"
+#include "pictures.h"
+#include "render.h"
+
+static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n"
+                           "Renders a session script without a display.\n\n"
+                           "  -o, --output FILE.png  the picture at the end of the session\n"
+                           "      --size WxH         pixels of the picture; a pixel a cell if left out\n"
+                           "      --frames DIR       pictures on the way: DIR/000010.png, numbered by tick\n"
+                           "      --every N          ticks from one of those to the next; 10 if left out\n"
+                           "      --fields FILE.exr  every field of the painting, as float channels\n"
+                           "      --stats FILE.json  sums, extremes and the figures of the shape\n"
+                           "      --seed N           instead of the script's\n"
+                           "      --ticks N          instead of the script's\n"
+                           "      --threads N        one for each processor if left out; the picture is the same\n"
+                           "      --dense            nothing sleeps; the picture is the same\n"
+                           "      --help             this\n";
+
+enum { FRAMES = 256, EVERY, FIELDS, STATS, SIZE, SEED, TICKS, THREADS, DENSE, HELP_ASKED, THREADS_MAX = 64 };
+
+struct order {
+    struct render_def def;
+    const char *script;
+    int seed, ticks; /* -1: the script's */
+};
+
+static int wrong(const char *option, const char *found, const char *allowed)
+{
+    fprintf(stderr, "frond render: --%s: '%s' is not it; %s\n", option, found, allowed);
+    return EXIT_STATUS_USAGE;
+}
+
+/* One option; -1 when it is right. */
+static int take_option(struct order *order, int option)
+{
+    struct render_def *def = &order->def;
+    switch (option) {
+    case 'o':
+        def->picture = optarg;
+        break;
+    case FRAMES:
+        def->frames = optarg;
+        break;
+    case FIELDS:
+        def->fields = optarg;
+        break;
+    case STATS:
+        def->stats = optarg;
+        break;
+    case DENSE:
+        def->dense = true;
+        break;
+    case EVERY:
+        if (!option_whole(optarg, 1, SCRIPT_TICKS_MAX, &def->every)) {
+            return wrong("every", optarg, "1 to 10000000 ticks");
+        }
+        break;
+    case SIZE:
+        if (!option_size(optarg, PICTURE_SIZE_MAX, &def->width, &def->height)) {
+            return wrong("size", optarg, "WxH, each 1 to 16384 pixels");
+        }
+        break;
+    case SEED:
+        if (!option_whole(optarg, 0, 2147483647, &order->seed)) {
+            return wrong("seed", optarg, "0 to 2147483647");
+        }
+        break;
+    case TICKS:
+        if (!option_whole(optarg, 0, SCRIPT_TICKS_MAX, &order->ticks)) {
+            return wrong("ticks", optarg, "0 to 10000000 ticks");
+        }
+        break;
+    case THREADS:
+        if (!option_whole(optarg, 1, THREADS_MAX, &def->threads)) {
+            return wrong("threads", optarg, "1 to 64");
+        }
+        break;
+    default:
+        break;
+    }
+    return -1;
+}
+
+/* Reads the command line; -1 when there is work to do. */
+static int read_order(int argc, char *argv[], struct order *order)
+{
+    static const struct option options[] = {
+        {"output", required_argument, NULL, 'o'},      {"size", required_argument, NULL, SIZE},
+        {"frames", required_argument, NULL, FRAMES},   {"every", required_argument, NULL, EVERY},
+        {"fields", required_argument, NULL, FIELDS},   {"stats", required_argument, NULL, STATS},
+        {"seed", required_argument, NULL, SEED},       {"ticks", required_argument, NULL, TICKS},
+        {"threads", required_argument, NULL, THREADS}, {"dense", no_argument, NULL, DENSE},
+        {"help", no_argument, NULL, HELP_ASKED},       {NULL, 0, NULL, 0}};
+    int option;
+    optind = 0;
+    while ((option = getopt_long(argc, argv, ":o:h", options, NULL)) != -1) {
+        if (option == HELP_ASKED || option == 'h') {
+            fputs(HELP, stdout);
+            return EXIT_STATUS_GOOD;
+        }
+        if (option == '?' || option == ':') {
+            return option_usage("render", option, argv);
+        }
+        int status = take_option(order, option);
+        if (status >= 0) {
+            return status;
+        }
+    }
+    if (optind + 1 != argc) {
+        fprintf(stderr, "frond render: %s; see frond render --help\n",
+                optind < argc ? "one script at a time" : "no script is given");
+        return EXIT_STATUS_USAGE;
+    }
+    if (!order->def.picture) {
+        fprintf(stderr, "frond render: no picture is asked for: -o FILE.png; see frond render --help\n");
+        return EXIT_STATUS_USAGE;
+    }
+    order->script = argv[optind];
+    return -1;
+}
+
+int command_render(int argc, char *argv[])
+{
+    struct order order = {.def = render_default_def(), .seed = -1, .ticks = -1};
+    int status = read_order(argc, argv, &order);
+    if (status >= 0) {
+        return status;
+    }
+    struct script_def def = script_default_def();
+    def.load = pictures_load;
+    struct report report;
+    report_init(&report, order.script);
+    struct script *script = script_read(order.script, &def, &report);
+    struct file_error error;
+    status = EXIT_STATUS_FAILED;
+    if (!script) {
+        report_print(&report, stderr);
+    } else {
+        char what[96];
+        const char *slash = strrchr(order.script, '/');
+        snprintf(what, sizeof what, "%.80s", slash ? slash + 1 : order.script);
+        struct progress progress = progress_start(what, stderr);
+        script->seed = order.seed >= 0 ? order.seed : script->seed;
+        script->ticks = order.ticks >= 0 ? order.ticks : script->ticks;
+        if (render(script, &order.def, &progress, &error)) {
+            status = EXIT_STATUS_GOOD;
+        } else {
+            fprintf(stderr, "frond render: %s\n", error.text);
+        }
+    }
+    script_destroy(script);
+    report_finish(&report);
+    return status;
+}

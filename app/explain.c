@@ -1,0 +1,142 @@
+#include "explain.h"
+
+#include <string.h>
+
+#include "action.h"
+#include "brush.h"
+#include "ink.h"
+#include "script.h"
+#include "script_value.h"
+
+struct explaining {
+    const char *asked; /* NULL: everything */
+    FILE *out;
+    bool found;
+    const char *heading; /* of the part that is being gone through, until something of it is printed */
+    const char *about;
+};
+
+static const char *type_name(const struct key *key)
+{
+    static const char *const NAMES[] = {
+        [KEY_NUMBER] = "number",
+        [KEY_INTEGER] = "whole number",
+        [KEY_FLAG] = "flag",
+        [KEY_CHOICE] = "choice",
+        [KEY_POINT] = "point",
+        [KEY_PATH] = "path",
+        [KEY_INK] = "ink",
+        [KEY_BRUSH] = "brush",
+        [KEY_RASTER] = "expression",
+        [KEY_PICTURE] = "path",
+        [KEY_COEFFICIENT] = "coefficient",
+    };
+    return strcmp(key->unit, "section") == 0 ? "section" : NAMES[key->type];
+}
+
+static const char *initial(const struct key *key, char *buffer, size_t size)
+{
+    switch (key->type) {
+    case KEY_NUMBER:
+    case KEY_INTEGER:
+        snprintf(buffer, size, "; default %.10g", key->initial);
+        break;
+    case KEY_FLAG:
+        snprintf(buffer, size, "; default %s", key->initial != 0 ? "true" : "false");
+        break;
+    case KEY_CHOICE:
+        snprintf(buffer, size, "; default %s", key->choices[(int)key->initial]);
+        break;
+    default:
+        snprintf(buffer, size, "; may be left out");
+        break;
+    }
+    return buffer;
+}
+
+static bool is_asked(const struct explaining *explaining, const char *place, const char *name)
+{
+    const char *asked = explaining->asked;
+    size_t length = strlen(place);
+    if (!asked || strcmp(asked, name) == 0 || strcmp(asked, place) == 0) {
+        return true;
+    }
+    return strncmp(asked, place, length) == 0 && asked[length] == '.' && strcmp(asked + length + 1, name) == 0;
+}
+
+static void lead(struct explaining *explaining)
+{
+    explaining->found = true;
+    if (explaining->heading) {
+        fprintf(explaining->out, "%s: %s\n", explaining->heading, explaining->about);
+        explaining->heading = NULL;
+    }
+}
+
+static void explain_keys(struct explaining *explaining, const char *place, const char *about, const struct key *keys)
+{
+    char allowed[1200], start[64];
+    explaining->heading = place;
+    explaining->about = about;
+    for (const struct key *key = keys; key->name; key++) {
+        if (!is_asked(explaining, place, key->name)) {
+            continue;
+        }
+        lead(explaining);
+        fprintf(explaining->out, "  %s (%s", key->name, type_name(key));
+        if (strcmp(key->unit, "section") != 0) {
+            fprintf(explaining->out, "; %s%s", value_allowed(key, allowed, sizeof allowed),
+                    key->required ? "; required" : initial(key, start, sizeof start));
+        }
+        fprintf(explaining->out, ")\n      %s\n", key->meaning);
+    }
+    if (is_asked(explaining, place, place)) {
+        lead(explaining); /* a verb without parameters */
+    }
+}
+
+static void explain_name(struct explaining *explaining, const char *place, const char *about, const char *name,
+                         const char *meaning)
+{
+    explaining->about = about;
+    if (is_asked(explaining, place, name)) {
+        lead(explaining);
+        fprintf(explaining->out, "  %s\n      %s\n", name, meaning);
+    }
+}
+
+static void explain_names(struct explaining *explaining)
+{
+    explaining->heading = "brushes";
+    for (int i = 0; brushes[i].name; i++) {
+        explain_name(explaining, "brushes", "Named ways of growing, for the brush of a drop.", brushes[i].name,
+                     brushes[i].meaning);
+    }
+    explaining->heading = "inks";
+    for (int i = 0; inks[i].name; i++) {
+        explain_name(explaining, "inks", "One to four of them make a session.", inks[i].name, inks[i].meaning);
+    }
+    explaining->heading = "palettes";
+    for (int i = 0; palettes[i].name; i++) {
+        char meaning[256];
+        const char *const *four = palettes[i].inks;
+        snprintf(meaning, sizeof meaning, "%s (%s, %s, %s, %s)", palettes[i].meaning, four[0], four[1], four[2],
+                 four[3]);
+        explain_name(explaining, "palettes", "Four inks at once.", palettes[i].name, meaning);
+    }
+}
+
+bool explain(const char *asked, FILE *out)
+{
+    struct explaining explaining = {.asked = asked, .out = out};
+    explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
+    explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
+    explain_keys(&explaining, "painting", "The coefficients of the painting.", coefficient_keys);
+    explain_keys(&explaining, "actions", "Beside its verb, an action has:", action_tick_keys);
+    for (int i = 0; i < ACTION_VERBS; i++) {
+        enum action_verb verb = (enum action_verb)i;
+        explain_keys(&explaining, action_name(verb), action_meaning(verb), action_keys(verb));
+    }
+    explain_names(&explaining);
+    return explaining.found;
+}

@@ -1,0 +1,61 @@
+#include "pictures.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "beneath.h"
+#include "image.h"
+
+/* Channels as a script counts them, whatever their order in the file: EXR sorts them by name. */
+static bool arrange(const struct image *image, struct script_picture *picture)
+{
+    int from[4] = {image_channel(image, "R"), image_channel(image, "G"), image_channel(image, "B"), -1};
+    int count = 3;
+    if (from[0] < 0 || from[1] < 0 || from[2] < 0) {
+        int grey = image_channel(image, "Y");
+        from[0] = grey >= 0 ? grey : 0;
+        count = 1;
+    }
+    if (image->alpha >= 0) {
+        from[count++] = image->alpha;
+    }
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    float *values = malloc(pixels * (size_t)count * sizeof *values);
+    if (!values) {
+        return false;
+    }
+    for (size_t i = 0; i < pixels; i++) {
+        for (int c = 0; c < count; c++) {
+            values[i * (size_t)count + (size_t)c] = image->values[i * (size_t)image->channels + (size_t)from[c]];
+        }
+    }
+    *picture = (struct script_picture){image->width, image->height, count, values};
+    return true;
+}
+
+bool pictures_load(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
+                   size_t size)
+{
+    (void)data;
+    int fd = beneath_open(folder, path, error, size);
+    if (fd < 0) {
+        return false;
+    }
+    char opened[32]; /* the very file that was checked, not what has taken its name since */
+    snprintf(opened, sizeof opened, "/proc/self/fd/%d", fd);
+    struct image image;
+    struct file_error why;
+    bool good = image_read(opened, NULL, &image, &why);
+    if (!good) {
+        const char *reason = strstr(why.text, ": ");
+        snprintf(error, size, "'%.100s' %.300s; a PNG, JPEG, TIFF, EXR or WebP picture", path,
+                 reason ? reason + 2 : why.text);
+    } else if (!(good = arrange(&image, picture))) {
+        snprintf(error, size, "memory is short for '%.100s'; a smaller picture", path);
+    }
+    image_finish(&image);
+    close(fd);
+    return good;
+}

@@ -1,0 +1,77 @@
+/* A session script: a sheet, its inks, its coefficients, and what is done to it at which tick. YAML, version 1:
+ *
+ *     frond: 1
+ *     canvas: {width: 256, height: 256}
+ *     seed: 1
+ *     ticks: 700
+ *     inks: [cyan, magenta, yellow, black]
+ *     painting: {alpha_a: 0.25}
+ *     actions:
+ *       - {tick: 0, drop: {at: [0.5, 0.5], ink: cyan}}
+ *
+ * Every value is checked against its struct key; every problem is reported with its place, not the first alone. */
+#ifndef FROND_SCRIPT_H
+#define FROND_SCRIPT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "action.h"
+#include "coefficients.h"
+#include "painting.h"
+#include "report.h"
+
+enum {
+    SCRIPT_VERSION = 1,
+    SCRIPT_ACTIONS_MAX = 100000,
+    SCRIPT_TICKS_MAX = 10000000,
+    SCRIPT_RASTER_VALUES_MAX = 1 << 25, /* of all formulas and pictures together: 128 MiB */
+};
+
+struct script {
+    int version;
+    int width, height, margin; /* cells */
+    int seed;                  /* 0 or more */
+    int ticks;                 /* ticks that the session takes; actions after it do not happen */
+    int mode;                  /* enum ink_mixing: how the inks are shown */
+    int inks[PAINTING_INKS];   /* indices as of ink_find() */
+    int ink_count;             /* 1..PAINTING_INKS */
+    struct coefficients coefficients;
+    struct action *actions; /* by tick; those of one tick as they stand in the file */
+    int action_count;
+    struct script_memory *memory; /* paths and rasters of the actions */
+};
+
+/* A picture as a script's loader gives it: linear light, row by row from the top left, channels interleaved. */
+struct script_picture {
+    int width, height, channels; /* channels 1..4: grey, grey and alpha, RGB, RGBA */
+    float *values;               /* from malloc; the script frees it */
+};
+
+struct script_def {
+    /* Reads the picture at `path`, which the script wrote, relative to `folder`; false with a sentence in `error`.
+     * NULL: pictures are refused. */
+    bool (*load)(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
+                 size_t size);
+    void *data;
+    size_t raster_values_max; /* floats of all formulas and pictures together */
+};
+
+struct script_def script_default_def(void); /* no loader, SCRIPT_RASTER_VALUES_MAX */
+
+/* Reads a file or a text. NULL when anything is wrong; the report then has at least one problem. `folder` is where
+ * pictures are looked for. */
+struct script *script_read(const char *path, const struct script_def *def, struct report *report);
+struct script *script_parse(const char *text, size_t size, const char *folder, const struct script_def *def,
+                            struct report *report);
+void script_destroy(struct script *script); /* takes NULL */
+
+/* The tables behind it, over struct script; each ends with a key whose name is NULL. In script_keys, a key with the
+ * unit "section" is a list or a mapping of its own, and its type says nothing. */
+extern const struct key script_keys[];
+extern const struct key canvas_keys[];
+/* `tick` of an action; over struct { int tick; }. */
+extern const struct key action_tick_keys[];
+
+#endif

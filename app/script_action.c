@@ -1,0 +1,333 @@
+#include "script_action.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "formula.h"
+#include "raster.h"
+
+/* What one verb's parameters need to know of each other. */
+struct parameters {
+    const struct key *coefficient;   /* that `set` sets; NULL for other verbs, or where it is wrong */
+    const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
+    const struct yaml_node *picture;
+};
+
+static bool take_values(struct reader *reader, const struct yaml_node *node, size_t count)
+{
+    if (count > reader->def->raster_values_max - reader->raster_values) {
+        reader_problem(reader, node, "too much for one script; %zu values in all formulas and pictures together",
+                       reader->def->raster_values_max);
+        return false;
+    }
+    reader->raster_values += count;
+    return true;
+}
+
+static void report_formula(struct reader *reader, const struct yaml_node *node, const struct formula_problem *problem)
+{
+    if (problem->at > 0) {
+        reader_problem(reader, node, "character %d: %s", problem->at, problem->text);
+    } else {
+        reader_problem(reader, node, "%s", problem->text);
+    }
+}
+
+static bool sample_expression(struct reader *reader, const struct yaml_node *node, float *plane)
+{
+    char found[128];
+    if (node->kind == YAML_REFUSED) {
+        return false;
+    }
+    if (node->kind != YAML_SCALAR || yaml_is_nothing(node)) {
+        reader_problem(reader, node, "%s where an expression should be; one in x and y",
+                       yaml_found(node, found, sizeof found));
+        return false;
+    }
+    struct formula_problem problem;
+    struct formula *formula = formula_create(node->text, &problem);
+    bool good = formula && formula_sample(formula, reader->script->width, reader->script->height, plane, &problem);
+    if (!good) {
+        report_formula(reader, node, &problem);
+    }
+    formula_destroy(formula);
+    return good;
+}
+
+static bool read_formula(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    char found[128];
+    int channels = action->verb == ACTION_GUIDE ? 2 : 1;
+    size_t cells = (size_t)reader->script->width * (size_t)reader->script->height;
+    if (node->kind == YAML_REFUSED) {
+        return false;
+    }
+    if (channels == 2 && (node->kind != YAML_LIST || node->count != 2)) {
+        char count[48];
+        snprintf(count, sizeof count, "a list of %d", node->count);
+        reader_problem(reader, node, "%s where two expressions should be; [x part, y part]",
+                       node->kind == YAML_LIST ? count : yaml_found(node, found, sizeof found));
+        return false;
+    }
+    if (!take_values(reader, node, cells * (size_t)channels)) {
+        return false;
+    }
+    float *values = reader_take(reader, cells * (size_t)channels * sizeof *values);
+    if (!values) {
+        return false;
+    }
+    bool good = true;
+    if (channels == 1) {
+        good = sample_expression(reader, node, values);
+    } else {
+        const struct yaml_node *item = node->first;
+        for (int i = 0; i < 2; i++, item = item->next) {
+            size_t length = reader_enter_index(reader, i);
+            good = sample_expression(reader, item, values + (size_t)i * cells) && good;
+            reader_leave(reader, length);
+        }
+    }
+    action->formula = (struct action_raster){values, reader->script->width, reader->script->height, channels};
+    return good;
+}
+
+static enum raster_kind kind_of(const struct action *action)
+{
+    if (action->verb != ACTION_GUIDE) {
+        return RASTER_BRIGHTNESS; /* a mask is where it is below one half: the engine's rule (action.h) */
+    }
+    return action->reading == READ_VECTORS       ? RASTER_VECTORS
+           : action->reading == READ_ALONG_EDGES ? RASTER_ALONG_EDGES
+                                                 : RASTER_TOWARDS_DARK;
+}
+
+static bool read_picture(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    char found[128], error[256] = "";
+    if (node->kind == YAML_REFUSED) {
+        return false;
+    }
+    if (node->kind != YAML_SCALAR || yaml_is_nothing(node)) {
+        reader_problem(reader, node, "%s where a path should be; a picture in the script's folder",
+                       yaml_found(node, found, sizeof found));
+        return false;
+    }
+    if (!reader->def->load) {
+        reader_problem(reader, node, "pictures cannot be read here; a formula can");
+        return false;
+    }
+    enum raster_kind kind = kind_of(action);
+    int width = reader->script->width, height = reader->script->height;
+    int channels = raster_channels(kind);
+    size_t count = (size_t)width * (size_t)height * (size_t)channels;
+    if (!take_values(reader, node, count)) {
+        return false;
+    }
+    struct script_picture picture = {0};
+    if (!reader->def->load(reader->def->data, reader->folder, node->text, &picture, error, sizeof error)) {
+        reader_problem(reader, node, "%s", error);
+        return false;
+    }
+    float *values = reader_take(reader, count * sizeof *values);
+    bool good = values && raster_from_picture(&picture, kind, width, height, values);
+    free(picture.values);
+    if (values && !good) {
+        reader_problem(reader, node, "memory is short");
+    }
+    action->picture = (struct action_raster){values, width, height, channels};
+    return good;
+}
+
+/* `value` and `to` of `set` have the type and range of their coefficient. */
+static bool read_setting(struct reader *reader, const struct key *key, const struct yaml_node *node,
+                         const struct key *coefficient, struct action *action)
+{
+    float *setting = (float *)(void *)((char *)action + key->offset);
+    if (coefficient->type == KEY_CHOICE) {
+        struct names names = names_of_choices(coefficient->choices);
+        int choice = 0;
+        bool good = value_choice(reader, &names, "choice", node, &choice);
+        *setting = (float)choice;
+        return good;
+    }
+    double number = 0;
+    bool good = value_number(reader, coefficient, node, &number);
+    *setting = (float)number;
+    return good;
+}
+
+static bool read_parameter(struct reader *reader, const struct key *key, const struct yaml_node *node, void *object,
+                           void *context)
+{
+    struct action *action = object;
+    struct parameters *parameters = context;
+    if (key->type == KEY_RASTER) {
+        parameters->formula = node;
+        return true;
+    }
+    if (key->type == KEY_PICTURE) {
+        parameters->picture = node;
+        return true;
+    }
+    if (parameters->coefficient && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
+        return read_setting(reader, key, node, parameters->coefficient, action);
+    }
+    bool good = value_read(reader, key, node, object);
+    if (key->type == KEY_POINT && strcmp(key->name, "at") == 0) {
+        action->has_at = good;
+    }
+    return good;
+}
+
+static void missing(struct reader *reader, const struct yaml_node *node, const char *name, const struct key *allowed)
+{
+    char text[1200];
+    size_t length = reader_enter(reader, name);
+    reader_problem(reader, node, "missing; %s", value_allowed(allowed, text, sizeof text));
+    reader_leave(reader, length);
+}
+
+/* What no single row of a table can ask for. */
+static void check_together(struct reader *reader, const struct yaml_node *node, enum action_verb verb,
+                           const struct parameters *parameters)
+{
+    bool at = yaml_get(node, "at"), path = yaml_get(node, "path");
+    bool raster = parameters->formula || parameters->picture;
+    if (parameters->formula && parameters->picture) {
+        reader_problem(reader, node, "both a formula and a picture; one of them");
+    }
+    if (verb == ACTION_GUIDE && !path && !raster) {
+        reader_problem(reader, node, "no place is given; a path, a formula or a picture");
+    }
+    if (verb == ACTION_MASK && !at && !path && !raster) {
+        reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
+    }
+    if (verb == ACTION_SET && parameters->coefficient) {
+        if (!yaml_get(node, "value")) {
+            missing(reader, node, "value", parameters->coefficient);
+        }
+        if (raster && !yaml_get(node, "to")) {
+            missing(reader, node, "to", parameters->coefficient);
+        }
+    }
+}
+
+static void read_parameters(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    const struct key *keys = action_keys(action->verb);
+    char found[128];
+    struct yaml_node none = {.kind = YAML_MAPPING, .line = node->line, .column = node->column};
+    if (node->kind == YAML_REFUSED) {
+        return;
+    }
+    if (yaml_is_nothing(node)) {
+        node = &none; /* `dry:` is `dry: {}` */
+    }
+    if (node->kind != YAML_MAPPING) {
+        struct names names = names_of_keys(keys);
+        char allowed[512];
+        reader_problem(reader, node, "%s where a mapping should be; %s", yaml_found(node, found, sizeof found),
+                       names.count ? names_allowed(&names, "", allowed, sizeof allowed) : "{}");
+        return;
+    }
+    struct parameters parameters = {0};
+    const struct yaml_node *coefficient = action->verb == ACTION_SET ? yaml_get(node, "coefficient") : NULL;
+    if (coefficient && coefficient->kind == YAML_SCALAR) {
+        parameters.coefficient = key_find(coefficient_keys, coefficient->text);
+    }
+    struct value_reading reading = {read_parameter, &parameters};
+    mapping_read(reader, keys, node, action, &reading);
+    check_together(reader, node, action->verb, &parameters);
+    if (parameters.formula) {
+        size_t length = reader_enter(reader, "formula");
+        read_formula(reader, parameters.formula, action);
+        reader_leave(reader, length);
+    }
+    if (parameters.picture) {
+        size_t length = reader_enter(reader, "picture");
+        read_picture(reader, parameters.picture, action);
+        reader_leave(reader, length);
+    }
+}
+
+static void read_tick(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    struct {
+        int tick;
+    } when = {0};
+    size_t length = reader_enter(reader, action_tick_keys[0].name);
+    if (value_read(reader, &action_tick_keys[0], node, &when)) {
+        action->tick = when.tick;
+    }
+    reader_leave(reader, length);
+}
+
+static void report_verb(struct reader *reader, const struct yaml_node *at)
+{
+    char allowed[512];
+    struct names names = names_of_verbs();
+    size_t length = reader_enter(reader, at->text);
+    names_allowed(&names, at->text, allowed, sizeof allowed);
+    reader_problem(reader, at, "unknown verb; %s", allowed);
+    reader_leave(reader, length);
+}
+
+static void report_second(struct reader *reader, const struct yaml_node *at, const char *first)
+{
+    size_t length = reader_enter(reader, at->text);
+    if (strcmp(at->text, first) == 0) {
+        reader_problem(reader, at, "given twice; once is enough");
+    } else {
+        reader_problem(reader, at, "a second verb, after %s; an action has one", first);
+    }
+    reader_leave(reader, length);
+}
+
+bool script_action_read(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    char found[128], allowed[512];
+    int before = reader->report->count + reader->report->dropped;
+    if (node->kind != YAML_MAPPING) {
+        if (node->kind != YAML_REFUSED) {
+            reader_problem(reader, node, "%s where an action should be; {tick: N, verb: {...}}",
+                           yaml_found(node, found, sizeof found));
+        }
+        return false;
+    }
+    const struct yaml_node *tick = NULL, *verb = NULL;
+    bool any = false;
+    for (const struct yaml_node *k = node->first; k && k->next; k = k->next->next) {
+        bool word = k->kind == YAML_SCALAR;
+        if (word && strcmp(k->text, "tick") == 0) {
+            if (tick) {
+                report_second(reader, k, "tick");
+            }
+            tick = k;
+            continue;
+        }
+        any = true;
+        if (word && action_find(k->text) == ACTION_VERBS) {
+            report_verb(reader, k);
+        } else if (word && verb) {
+            report_second(reader, k, verb->text);
+        } else if (word) {
+            verb = k;
+        }
+    }
+    if (!any) {
+        struct names names = names_of_verbs();
+        reader_problem(reader, node, "no verb; %s", names_allowed(&names, "", allowed, sizeof allowed));
+    }
+    if (verb) {
+        *action = action_default(action_find(verb->text));
+        size_t length = reader_enter(reader, verb->text);
+        read_parameters(reader, verb->next, action);
+        reader_leave(reader, length);
+    }
+    if (tick) {
+        read_tick(reader, tick->next, action);
+    } else {
+        missing(reader, node, "tick", &action_tick_keys[0]);
+    }
+    return reader->report->count + reader->report->dropped == before && verb;
+}

@@ -1,0 +1,12 @@
+/* Where the sessions that come with Frond are. */
+#ifndef FROND_SESSION_H
+#define FROND_SESSION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The path of sessions/NAME.yaml: in config/ of the source tree that the program was built in, else in share/frond
+ * beside the program, else where Frond was installed. False when there is none. */
+bool session_find(const char *name, char *path, size_t size);
+
+#endif

@@ -1,0 +1,18 @@
+/* The figures of a painting as JSON: sums, extremes, and the shape's (shape.h). */
+#ifndef FROND_STATS_H
+#define FROND_STATS_H
+
+#include <stdbool.h>
+
+#include "file.h"
+#include "painting.h"
+#include "script.h"
+
+/* Writes an object with: frond (version), seed, ticks, hash (16 hex digits), canvas {width, height, margin}, totals
+ * (struct painting_totals), fields {name: {min, max, sum}} over the visible sheet, shape (struct shape_figures; its
+ * centre is the only drop's, else the shape's own). False, with the reason in `error`, when memory is short or the file
+ * cannot be written; nothing is left behind then. */
+bool stats_write(const char *path, const struct script *script, const struct painting *painting,
+                 struct file_error *error);
+
+#endif

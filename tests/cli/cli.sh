@@ -1,0 +1,178 @@
+#!/bin/sh
+# The command line as people meet it: exit status, what is printed where, and what is left behind. cli.sh FROND DATA
+set -u
+frond=$(realpath "$1") || exit 1
+data=$(realpath "$2") || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+fail() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$1"
+    sed 's/^/  stdout: /' out.txt
+    sed 's/^/  stderr: /' err.txt
+}
+
+# expect STATUS ARGUMENTS...: runs frond without a terminal; leaves out.txt and err.txt.
+expect() {
+    wanted=$1
+    shift
+    last="frond $*"
+    "$frond" "$@" >out.txt 2>err.txt </dev/null
+    status=$?
+    [ "$status" -eq "$wanted" ] || fail "$last: exit status $status, not $wanted"
+}
+
+says() { # the whole of stderr
+    [ "$(cat err.txt)" = "$1" ] || fail "$last: stderr is not: $1"
+}
+
+prints() { # a line of stdout
+    grep -qxF -- "$1" out.txt || fail "$last: stdout lacks: $1"
+}
+
+quiet() { # nothing on stderr
+    [ ! -s err.txt ] || fail "$last: stderr is not empty"
+}
+
+absent() {
+    [ ! -e "$1" ] || fail "$last: left $1 behind"
+}
+
+present() {
+    [ -s "$1" ] || fail "$last: did not make $1"
+}
+
+# Help and version: on stdout, status 0.
+for command in run render check explain; do
+    expect 0 "$command" --help
+    quiet
+    head -n 1 out.txt | grep -q "^usage: frond $command" || fail "$last: no usage"
+done
+expect 0 --help
+quiet
+expect 0 --version
+prints "frond 0.1.0"
+quiet
+
+# Usage: on stderr, status 2, nothing on stdout.
+expect 2
+grep -q '^frond: no command; one of ' err.txt || fail "$last: the list of commands is missing"
+expect 2 rendr
+grep -q "^frond: unknown command 'rendr'; did you mean render? One of " err.txt || fail "$last: no suggestion"
+expect 2 render
+says "frond render: no script is given; see frond render --help"
+expect 2 render a.yaml
+says "frond render: no picture is asked for: -o FILE.png; see frond render --help"
+expect 2 render a.yaml b.yaml -o a.png
+says "frond render: one script at a time; see frond render --help"
+expect 2 render a.yaml -o
+says "frond render: -o: a value is missing; see frond render --help"
+expect 2 render a.yaml --output
+says "frond render: --output: a value is missing; see frond render --help"
+expect 2 render a.yaml -o a.png --siez 3
+says "frond render: --siez: unknown option; see frond render --help"
+expect 2 render a.yaml -o a.png -x
+says "frond render: -x: unknown option; see frond render --help"
+expect 2 render a.yaml -o a.png --size 0x5
+says "frond render: --size: '0x5' is not it; WxH, each 1 to 16384 pixels"
+expect 2 render a.yaml -o a.png --size 5x5x5
+says "frond render: --size: '5x5x5' is not it; WxH, each 1 to 16384 pixels"
+expect 2 render a.yaml -o a.png --every 0
+says "frond render: --every: '0' is not it; 1 to 10000000 ticks"
+expect 2 render a.yaml -o a.png --seed -1
+says "frond render: --seed: '-1' is not it; 0 to 2147483647"
+expect 2 render a.yaml -o a.png --threads 999
+says "frond render: --threads: '999' is not it; 1 to 64"
+expect 2 render a.yaml -o a.png --ticks " 5"
+says "frond render: --ticks: ' 5' is not it; 0 to 10000000 ticks"
+expect 2 check
+says "frond check: no script is given; see frond check --help"
+expect 2 explain a b
+says "frond explain: one key at a time; see frond explain --help"
+expect 2 explain alpa_a
+grep -q "^frond explain: nothing is called 'alpa_a'; did you mean alpha_a? One of " err.txt || fail "$last: no suggestion"
+
+# check: all problems, status 1, and nothing to say of what is right.
+cp "$data"/sessions/*.yaml .
+expect 0 check one-drop.yaml two-drops.yaml guided.yaml
+quiet
+printf 'frond: 1\nactions:\n  - {tick: 0, drop: {at: [0.5, 2], radius: 5000}}\n' >bad.yaml
+problems="bad.yaml:3:32: actions[0].drop.at[1]: 2 is out of range; 0 to 1 of the sheet
+bad.yaml:3:44: actions[0].drop.radius: 5000 is out of range; 0.5 to 512 cells"
+expect 1 check one-drop.yaml bad.yaml two-drops.yaml
+says "$problems"
+expect 1 check no-such.yaml
+says "no-such.yaml: cannot be read: No such file or directory"
+
+# A wrong script leaves no file behind.
+expect 1 render bad.yaml -o bad.png --stats bad.json --fields bad.exr --frames bad
+says "$problems"
+absent bad.png
+absent bad.json
+absent bad.exr
+absent bad
+expect 1 render one-drop.yaml -o nowhere/a.png
+says "frond render: nowhere/a.png: its folder is not there"
+expect 1 render one-drop.yaml -o .
+says "frond render: .: is a folder; the name of a file is needed"
+
+# Pictures stay in the script's folder.
+mkdir inside outside
+printf 'secret' >outside/a.png
+ln -s ../outside/a.png inside/link.png
+for path in ../outside/a.png /etc/hostname link.png; do
+    printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: %s}}\n' "$path" >inside/s.yaml
+    expect 1 check inside/s.yaml
+    says "inside/s.yaml:3:31: actions[0].mask.picture: '$path' leads out of the script's folder; a picture lies in it or below"
+done
+printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: no.png}}\n' >inside/s.yaml
+expect 1 check inside/s.yaml
+says "inside/s.yaml:3:31: actions[0].mask.picture: 'no.png' is not there; a picture in the script's folder or below"
+printf 'text' >inside/text.png
+printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: text.png}}\n' >inside/s.yaml
+expect 1 check inside/s.yaml
+grep -q "^inside/s.yaml:3:31: actions\[0\].mask.picture: 'text.png' .*not a picture" err.txt || fail "$last: no reason"
+
+# A session, quietly: the picture, frames, figures; the same for any number of threads, with sleep or without.
+expect 0 render one-drop.yaml -o a.png --size 64x48 --ticks 60 --frames frames --every 25 --stats a.json --threads 1
+quiet
+present a.png
+present frames/000025.png
+present frames/000050.png
+absent frames/000060.png
+grep -q '"ticks": 60,' a.json || fail "$last: the figures lack the ticks"
+grep -q '"pattern.carved": {' a.json || fail "$last: the figures lack a field"
+[ "$(od -An -tu1 -j16 -N8 a.png | tr -s ' ')" = " 0 0 0 64 0 0 0 48" ] || fail "$last: the picture is not 64x48"
+expect 0 render one-drop.yaml -o b.png --size 64x48 --ticks 60 --stats b.json --threads 2 --dense
+cmp -s a.json b.json || fail "$last: threads and sleep change the figures"
+cmp -s a.png b.png || fail "$last: threads and sleep change the picture"
+expect 0 render one-drop.yaml -o c.png --ticks 60 --seed 5 --stats c.json
+cmp -s a.json c.json && fail "$last: another seed is the same painting"
+
+# A picture guides a painting.
+cp a.png inside/text.png
+printf 'frond: 1\ncanvas: {width: 32, height: 32}\nticks: 2\nactions:\n  - {tick: 0, guide: {picture: text.png}}\n' >inside/s.yaml
+expect 0 render inside/s.yaml -o d.png
+present d.png
+
+# run: a session to out/, its path on stdout.
+printf 'frond: 1\ncanvas: {width: 32, height: 32}\nticks: 3\n' >small.yaml
+expect 0 run small.yaml
+prints "out/small.png"
+present out/small.png
+
+# explain: every key with its range.
+expect 0 explain drop.radius
+prints "  radius (number; 0.5 to 512 cells; default 8)"
+expect 0 explain
+for word in frond canvas alpha_a brush_solvent "  moss" "  ochre" "  reef"; do
+    grep -q -- "$word" out.txt || fail "$last: lacks $word"
+done
+expect 0 explain clear
+prints "clear: A fresh sheet."
+
+[ "$failures" -eq 0 ] || exit 1
+echo "the command line says what it should"
