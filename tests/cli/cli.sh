@@ -149,7 +149,11 @@ grep -q '"pattern.carved": {' a.json || fail "$last: the figures lack a field"
 expect 0 render one-drop.yaml -o b.png --size 64x48 --ticks 60 --stats b.json --threads 2 --dense
 cmp -s a.json b.json || fail "$last: threads and sleep change the figures"
 cmp -s a.png b.png || fail "$last: threads and sleep change the picture"
-expect 0 render one-drop.yaml -o c.png --ticks 60 --seed 5 --stats c.json
+expect 0 render one-drop.yaml -o c.png --ticks 60 --seed 5 --stats c.json --fields c.exr
+[ "$(od -An -tx1 -N4 c.exr | tr -d ' ')" = 762f3101 ] || fail "$last: c.exr is no EXR"
+for name in pattern.catalyst pattern.active pattern.carved solvent.density ink.density; do
+    grep -aq "$name" c.exr || fail "$last: c.exr lacks $name"
+done
 cmp -s a.json c.json && fail "$last: another seed is the same painting"
 
 # A picture guides a painting.
