@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "portable.h"
+#include "exponential.h"
 
 #if defined(__AVX512F__)
 #define KERNELS kernels_avx512
@@ -52,7 +52,7 @@ static inline uint32_t bits_of(float value)
 
 /* Streaming of one fluid (eq. 8, 11): populations h##0..8, density h##_rho, momentum h##_x, h##_y. */
 #define STREAM(h, first, gates)                                                                                        \
-    float h##0 = here[(first) * RING + x];                                                                             \
+    float h##0 = here[(first)*RING + x];                                                                               \
     LINK(h##1, 1, 3, here, -1, gates_here, GATE_LEFT, 0, first, gates)                                                 \
     LINK(h##2, 2, 4, above, 0, gates_here, GATE_UP, 0, first, gates)                                                   \
     LINK(h##3, 3, 1, here, 1, gates_here, GATE_LEFT, 1, first, gates)                                                  \
@@ -70,14 +70,14 @@ static inline uint32_t bits_of(float value)
     value = value < (least) ? (least) : value;
 
 /* A cell that nothing entered or left keeps its populations to the bit. */
-#define STORE(field, value) out[(field) * RING + x] = moved > 0.0f ? (value) : here[(field) * RING + x];
+#define STORE(field, value) out[(field)*RING + x] = moved > 0.0f ? (value) : here[(field)*RING + x];
 
 #define PAIR(h, i, j, rest, even_psi, odd_psi, along, first)                                                           \
     {                                                                                                                  \
         float e_u = along;                                                                                             \
         float even = rest + even_psi * (e_u * e_u), odd = odd_psi * e_u;                                               \
-        STORE((first) + (i), keep *h##i + (even + odd))                                                                \
-        STORE((first) + (j), keep *h##j + (even - odd))                                                                \
+        STORE((first) + (i), keep * h##i + (even + odd))                                                               \
+        STORE((first) + (j), keep * h##j + (even - odd))                                                               \
     }
 
 /* Collision (eq. 9, 10) with psi of section 4.2; `u`, `v` is momentum over mean density 1. */
@@ -103,8 +103,8 @@ static void fluid(const struct fluid_row *row)
 {
     const float *restrict above = row->above, *restrict here = row->here, *restrict below = row->below;
     const float *restrict gates_here = row->gates_here, *restrict gates_below = row->gates_below;
-    const float *restrict solvent_open = row->gates_here + OPEN_SOLVENT * RING,
-                          *restrict ink_open = row->gates_here + OPEN_INK * RING;
+    const float *restrict solvent_open = row->gates_here + OPEN_SOLVENT * RING, *restrict ink_open =
+                                                                                    row->gates_here + OPEN_INK * RING;
     float *restrict out = row->out;
     float *restrict density = row->flow, *restrict flow_u = row->flow + FLOW_U * RING,
                     *restrict flow_v = row->flow + FLOW_V * RING, *restrict flow_moved = row->flow + FLOW_MOVED * RING;
@@ -153,7 +153,7 @@ static void fluid(const struct fluid_row *row)
 #define STORE_GATE(number, value)                                                                                      \
     {                                                                                                                  \
         float gate = value;                                                                                            \
-        made[(number) * RING + x] = gate > 0.0f ? gate : 0.0f;                                                         \
+        made[(number)*RING + x] = gate > 0.0f ? gate : 0.0f;                                                           \
     }
 #define GATES(first, mine, own, up)                                                                                    \
     STORE_GATE((first) + GATE_LEFT, GATE(mine, own, -1))                                                               \
@@ -177,7 +177,7 @@ static void gates(const struct gates_row *row)
     }
 }
 
-#define POSITIVE(value)             ((value) > 0.0f ? (value) : 0.0f)
+#define POSITIVE(value)         ((value) > 0.0f ? (value) : 0.0f)
 #define TAP(row, shift, weight) weight *(row)[x + (shift)]
 #define CARRY(n)                                                                                                       \
     {                                                                                                                  \
@@ -361,11 +361,11 @@ static void pattern_full(const struct pattern_row *row)
     }
 }
 
-static void power(const float *restrict active, float *restrict out, int begin, int end, float k)
+static void raise(const float *restrict active, float *restrict out, int begin, int end, float k)
 {
     FOR_CELLS(x, begin, end)
     {
-        out[x] = portable_pow(active[x], k);
+        out[x] = power(active[x], k);
     }
 }
 
@@ -412,4 +412,14 @@ static void fluid_end(const float *restrict density, float *restrict stored, con
     }
 }
 
-const struct kernels KERNELS = {gates, fluid, pigment, rates, pattern, pattern_full, power, pattern_end, fluid_end};
+const struct kernels KERNELS = {
+    .gates = gates,
+    .fluid = fluid,
+    .pigment = pigment,
+    .rates = rates,
+    .pattern = pattern,
+    .pattern_full = pattern_full,
+    .raise = raise,
+    .pattern_end = pattern_end,
+    .fluid_end = fluid_end,
+};

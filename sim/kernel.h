@@ -23,8 +23,8 @@ enum {
     FLUID_FIELDS = FLUID_WET + INKS,
 };
 
-/* What the links of a row let through, made once a tick. Openness is 1 - kappa (section 4.2) clamped to 0..1; a gate is the
- * mean openness of the two ends of a link: from the left, from above, from above left, from above right. */
+/* What the links of a row let through, made once a tick. Openness is 1 - kappa (section 4.2) clamped to 0..1; a gate is
+ * the mean openness of the two ends of a link: from the left, from above, from above left, from above right. */
 enum {
     GATE_SOLVENT = 0,
     GATE_INK = 4,
@@ -52,11 +52,11 @@ enum { FLOW_DENSITY, FLOW_U, FLOW_V, FLOW_MOVED, FLOW_FIELDS };
 
 struct fluid_row {
     int begin, end;
-    const float *above, *here, *below;                /* [FLUID_FIELDS][RING] */
+    const float *above, *here, *below;                   /* [FLUID_FIELDS][RING] */
     const float *gates_above, *gates_here, *gates_below; /* [GATE_FIELDS][RING]; below: the links to the row below */
-    float *out;                                       /* [FLUID_FIELDS][RING] */
-    float *flow;                                      /* [FLOW_FIELDS][RING] */
-    int32_t *changed;                                 /* |= 1 where a population crossed a link */
+    float *out;                                          /* [FLUID_FIELDS][RING] */
+    float *flow;                                         /* [FLOW_FIELDS][RING] */
+    int32_t *changed;                                    /* |= 1 where a population crossed a link */
     float omega, inverse_mu, gamma;
     float round; /* 1.5 * 2^23 * q: adding and taking it away rounds to multiples of q */
 };
@@ -103,7 +103,7 @@ struct kernels {
     void (*rates)(const struct rates_row *);
     void (*pattern)(const struct pattern_row *); /* free ground: no obstacle, no guidance, catalyst by five points */
     void (*pattern_full)(const struct pattern_row *); /* everything; the same bits on free ground */
-    void (*power)(const float *active, float *power, int begin, int end, float k); /* active^k */
+    void (*raise)(const float *active, float *raised, int begin, int end, float k); /* active^k */
     void (*pattern_end)(const struct pattern_end_row *);
     /* |= 1 where growth will see other solvent than before; stores the new density. */
     void (*fluid_end)(const float *density, float *stored, const uint16_t *s_max, int32_t *changed, int begin, int end,

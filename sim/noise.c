@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "portable.h"
+#include "exponential.h"
 
 /* Gradient at a lattice point: one of sixteen directions times the offset to the point asked for. */
 static float corner(int ix, int iy, float dx, float dy, uint32_t seed, enum random_stream stream)
@@ -55,7 +55,7 @@ static float lognormal(int x, int y, float sigma, uint32_t seed)
         sum += (float)(bits & 0xffffu) + (float)(bits >> 16);
     }
     float z = (sum * (1.0f / 65536.0f) - 4.0f) * 1.2247449f;
-    return portable_exp2(1.4426950f * (sigma * z - 0.5f * sigma * sigma));
+    return exponential(sigma * z - 0.5f * sigma * sigma);
 }
 
 float noise_xi(int x, int y, float xi0, enum noise_kind kind, uint32_t seed)

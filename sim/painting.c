@@ -60,8 +60,8 @@ static bool take_rows(struct painting *painting, struct bench_rows *rows)
     for (size_t i = 0; rows->closed && i < (size_t)2 * RING; i++) {
         rows->closed[i] = CLOSED;
     }
-    return rows->fluid && rows->gates && rows->open && rows->pattern && rows->rates && rows->flow && rows->closed && rows->changed &&
-           rows->fed && rows->unheard;
+    return rows->fluid && rows->gates && rows->open && rows->pattern && rows->rates && rows->flow && rows->closed &&
+           rows->changed && rows->fed && rows->unheard;
 }
 
 static void free_rows(struct bench_rows *rows)
@@ -181,8 +181,8 @@ void painting_destroy(struct painting *painting)
 
 void painting_tick(struct painting *painting)
 {
-    painting_fluid_sweep(painting);
-    painting_pattern_sweep(painting);
+    painting_flow(painting);
+    painting_grow(painting);
     painting->tick++;
     if (painting->tick % UPKEEP_TICKS == 0) {
         painting_upkeep(painting);

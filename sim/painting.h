@@ -61,6 +61,9 @@ void painting_destroy(struct painting *painting); /* takes NULL */
 /* Does an action now. Values out of range are clamped to the range of their key; an action that lacks what it needs
  * does nothing. */
 void painting_act(struct painting *painting, const struct action *action);
+/* The two halves of a tick, for those who measure them; a tick is the first, the second, and now and then upkeep. */
+void painting_flow(struct painting *painting);
+void painting_grow(struct painting *painting);
 /* One tick: fluid_steps steps of solvent, ink and pigment; pattern_steps steps of the pattern; now and then drying. */
 void painting_tick(struct painting *painting);
 

@@ -227,7 +227,7 @@ static void save_run(void *context, int piece, int member)
     halo_save(pass->painting, &pass->layout, &pass->painting->tiles.runs[piece]);
 }
 
-void painting_fluid_sweep(struct painting *painting)
+void painting_flow(struct painting *painting)
 {
     struct fluid_pass pass = {.painting = painting, .steps = painting->def.coefficients.fluid_steps};
     pass.steps = pass.steps > STEPS_MOST ? STEPS_MOST : pass.steps;

@@ -37,7 +37,7 @@ static void raise(const struct pattern_pass *pass, float *ring, int begin, int e
 {
     const struct painting *painting = pass->painting;
     if (painting->def.coefficients.k != 2.0f) {
-        painting->kernels->power(ring, ring + PATTERN_POWER * RING, begin, end, painting->def.coefficients.k);
+        painting->kernels->raise(ring, ring + PATTERN_POWER * RING, begin, end, painting->def.coefficients.k);
     }
 }
 
@@ -223,7 +223,7 @@ static void save_run(void *context, int piece, int member)
     halo_save(pass->painting, &pass->layout, &pass->painting->tiles.runs[piece]);
 }
 
-void painting_pattern_sweep(struct painting *painting)
+void painting_grow(struct painting *painting)
 {
     struct pattern_pass pass = {.painting = painting, .steps = painting->def.coefficients.pattern_steps};
     pass.steps = pass.steps > STEPS_MOST ? STEPS_MOST : pass.steps;

@@ -97,6 +97,13 @@ float region_distance(const struct region *region, int x, int y, struct point *a
 
 float region_sample(const struct painting *painting, const struct action_raster *raster, int channel, int x, int y)
 {
+    if (raster->width == painting->def.width && raster->height == painting->def.height) {
+        int column = x - painting->def.margin, row = y - painting->def.margin; /* a value a cell: taken as it is */
+        column = column < 0 ? 0 : column >= raster->width ? raster->width - 1 : column;
+        row = row < 0 ? 0 : row >= raster->height ? raster->height - 1 : row;
+        size_t plane = (size_t)channel * (size_t)raster->height;
+        return raster->values[(plane + (size_t)row) * (size_t)raster->width + (size_t)column];
+    }
     float fx = ((float)(x - painting->def.margin) + 0.5f) / (float)painting->def.width * (float)raster->width - 0.5f;
     float fy = ((float)(y - painting->def.margin) + 0.5f) / (float)painting->def.height * (float)raster->height - 0.5f;
     float right = (float)(raster->width - 1), bottom = (float)(raster->height - 1);
@@ -117,7 +124,7 @@ bool region_holds(const struct region *region, int x, int y)
     bool inside = true;
     if (region->kind == REGION_RASTER) {
         float value = region_sample(region->painting, region->raster, 0, x, y);
-        inside = region->action->formula.values ? value > 0.5f || value < -0.5f : value < 0.5f;
+        inside = region->action->formula.values ? value > 1e-4f || value < -1e-4f : value < 0.5f;
     } else if (region->kind != REGION_ALL) {
         inside = x >= region->x0 && x < region->x1 && y >= region->y0 && y < region->y1 &&
                  region_distance(region, x, y, NULL) <= region->radius;

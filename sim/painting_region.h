@@ -19,7 +19,8 @@ struct region region_of(const struct painting *painting, const struct action *ac
 /* Distance of a cell from the middle of a disc or from a stroke, cells. For a stroke, `along` (may be NULL) is the unit
  * direction of the nearest piece. */
 float region_distance(const struct region *region, int x, int y, struct point *along);
-/* Whether a region, hard at its edge, holds a cell: a raster where its value is above a half (a picture: below). */
+/* Whether a region, hard at its edge, holds a cell: a formula where it is not zero, a
+ * picture where its brightness is below a half. */
 bool region_holds(const struct region *region, int x, int y);
 /* A raster at a cell, bilinear, clamped at the borders. */
 float region_sample(const struct painting *painting, const struct action_raster *raster, int channel, int x, int y);

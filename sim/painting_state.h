@@ -124,8 +124,6 @@ static inline struct span run_span(const struct painting *painting, const struct
     return (struct span){run->x0 == 0 ? 0 : run->x0 - HALO, run->x1 >= painting->width || to > whole ? whole : to};
 }
 
-void painting_fluid_sweep(struct painting *painting);
-void painting_pattern_sweep(struct painting *painting);
 void painting_upkeep(struct painting *painting);
 
 /* Tiles and derived state that a change of cells [x0, x1) x [y0, y1) touches: everything there wakes. */
