@@ -331,6 +331,8 @@ static struct action made_legal(const struct action *action)
             memcpy(at, &value, sizeof value);
         }
     }
+    legal.at.x = legal.at.x >= 0.0f && legal.at.x <= 1.0f ? legal.at.x : legal.at.x > 1.0f ? 1.0f : 0.0f;
+    legal.at.y = legal.at.y >= 0.0f && legal.at.y <= 1.0f ? legal.at.y : legal.at.y > 1.0f ? 1.0f : 0.0f;
     legal.ink = legal.ink < 0 || legal.ink >= INKS ? 0 : legal.ink;
     for (int i = 0; legal.brush != BRUSH_NONE && i <= legal.brush; i++) {
         if (legal.brush < 0 || !brushes[i].name) {

@@ -2,9 +2,16 @@
 
 #include <math.h>
 
+static float clamp_unit(float value)
+{
+    value = value >= 0.0f ? value : 0.0f; /* NaN as well */
+    return value <= 1.0f ? value : 1.0f;
+}
+
 /* A position of the visible sheet in cells of the whole. */
 static struct point to_cells(const struct painting *painting, struct point at)
 {
+    at = (struct point){clamp_unit(at.x), clamp_unit(at.y)};
     return (struct point){at.x * (float)painting->def.width + (float)painting->def.margin,
                           at.y * (float)painting->def.height + (float)painting->def.margin};
 }
@@ -48,6 +55,9 @@ struct region region_of(const struct painting *painting, const struct action *ac
         region.x = at.x;
         region.y = at.y;
         clip(&region, at.x - around, at.x + around, at.y - around, at.y + around);
+    }
+    if (action->invert) { /* then what lies outside matters */
+        clip(&region, 0.0f, (float)painting->width, 0.0f, (float)painting->height);
     }
     return region;
 }
@@ -126,8 +136,7 @@ bool region_holds(const struct region *region, int x, int y)
         float value = region_sample(region->painting, region->raster, 0, x, y);
         inside = region->action->formula.values ? value > 1e-4f || value < -1e-4f : value < 0.5f;
     } else if (region->kind != REGION_ALL) {
-        inside = x >= region->x0 && x < region->x1 && y >= region->y0 && y < region->y1 &&
-                 region_distance(region, x, y, NULL) <= region->radius;
+        inside = region_distance(region, x, y, NULL) <= region->radius;
     }
     return inside != region->action->invert;
 }
