@@ -10,6 +10,7 @@ const struct command commands[] = {
     {"render", "SCRIPT -o FILE.png", "a session without a display", command_render},
     {"check", "SCRIPT...", "prints every problem of session scripts", command_check},
     {"explain", "[KEY]", "every key of a session script: type, range, default, meaning", command_explain},
+    {"bench", "[NAME] [--json]", "the measurements in the README", command_bench},
     {.name = NULL},
 };
 

@@ -20,6 +20,7 @@ extern const struct command commands[];
 int command_render(int argc, char *argv[]);
 int command_check(int argc, char *argv[]);
 int command_explain(int argc, char *argv[]);
+int command_bench(int argc, char *argv[]);
 int command_run(int argc, char *argv[]);
 
 /* Finds the command in argv[1] and runs it; --help and --version are its own. */

@@ -61,7 +61,7 @@ static const struct key DROP[] = {
     INK,
     RADIUS(8, "Radius of the drop; 6 to 12 are good."),
     NUMBER(solvent, "density per cell", 0, 1000, 60, "Solvent: decides how far the growth reaches."),
-    NUMBER(amount, "density per cell", 0, 1000, 30, "Ink."),
+    NUMBER(amount, "density per cell", 0, 1000, 30, "Ink that falls with it."),
     CHOICE(edge, EDGES, EDGE_HARD, "A hard disc, a soft one, or a ragged seed."),
     BRUSH,
     NUMBER(reach, "cells", 8, 1024, 160, "How far around the drop its brush is stamped."),

@@ -20,7 +20,8 @@ static const char *const NOISES[] = {"uniform", "smooth", "lognormal", NULL};
 const struct key coefficient_keys[] = {
     NUMBER(alpha_a, "cells^2 per unit of time", 0.01, 1, 0.25,
            "Diffusion of the active pattern: small is thin and sharp."),
-    NUMBER(alpha_y, "cells^2 per unit of time", 0, 3, 0.6, "Diffusion of the catalyst: large is few, thick branches."),
+    NUMBER(alpha_y, "cells^2 per unit of time", 0, 2.4, 0.6,
+           "Diffusion of the catalyst: large is few, thick branches."),
     NUMBER(beta_a, "per unit of time", 0, 8, 3, "Growth of the active pattern: large is fast."),
     NUMBER(beta_y, "per unit of time", 0.1, 8, 2,
            "Consumption of the catalyst: small is thick branches in full detail."),

@@ -1,0 +1,107 @@
+#include <getopt.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <json.h>
+
+#include "bench.h"
+#include "command.h"
+#include "script_value.h"
+#include "option.h"
+
+static const char HELP[] =
+    "usage: frond bench [NAME] [--json]\n\n"
+    "Measures Frond on this machine; every bench there is if no NAME is given. Takes a minute\n"
+    "or two; leave the machine alone meanwhile.\n\n"
+    "      --json  {\"bench\": NAME, \"figures\": [{\"name\", \"value\", \"unit\"}]}, one a line\n"
+    "      --help  this\n\n"
+    "Benches: painting\n";
+
+static const struct {
+    const char *name;
+    bool (*run)(struct bench *bench);
+} BENCHES[] = {{"painting", bench_painting}};
+
+static void print_json(const struct bench *bench)
+{
+    struct json_object *object = json_object_new_object(), *figures = json_object_new_array();
+    for (int i = 0; i < bench->count; i++) {
+        struct json_object *figure = json_object_new_object();
+        char text[32];
+        snprintf(text, sizeof text, "%.6g", bench->figures[i].value);
+        json_object_object_add(figure, "name", json_object_new_string(bench->figures[i].name));
+        json_object_object_add(figure, "value", json_object_new_double_s(bench->figures[i].value, text));
+        json_object_object_add(figure, "unit", json_object_new_string(bench->figures[i].unit));
+        json_object_array_add(figures, figure);
+    }
+    json_object_object_add(object, "bench", json_object_new_string(bench->name));
+    json_object_object_add(object, "figures", figures);
+    puts(json_object_to_json_string_ext(object, JSON_C_TO_STRING_PLAIN));
+    json_object_put(object);
+}
+
+static void print_table(const struct bench *bench)
+{
+    printf("%s: %s\n", bench->name, bench->meaning);
+    for (int i = 0; i < bench->count; i++) {
+        const struct bench_figure *figure = &bench->figures[i];
+        printf("  %-28s %9.4g %-12s", figure->name, figure->value, figure->unit);
+        if (figure->of_triad > 0) {
+            printf(" %5.2f passes over the state at triad speed", figure->of_triad);
+        }
+        putchar('\n');
+    }
+}
+
+static int run_bench(const char *name, bool json)
+{
+    struct names names = {.count = 0};
+    bool found = false;
+    for (size_t i = 0; i < sizeof BENCHES / sizeof BENCHES[0]; i++) {
+        names.names[names.count++] = BENCHES[i].name;
+        if (name && strcmp(name, BENCHES[i].name) != 0) {
+            continue;
+        }
+        struct bench bench = {.count = 0};
+        found = true;
+        if (!BENCHES[i].run(&bench)) {
+            fprintf(stderr, "frond bench %s: memory is short\n", BENCHES[i].name);
+            return EXIT_STATUS_FAILED;
+        }
+        if (json) {
+            print_json(&bench);
+        } else {
+            print_table(&bench);
+        }
+    }
+    if (!found) {
+        char allowed[256];
+        names_allowed(&names, name, allowed, sizeof allowed);
+        fprintf(stderr, "frond bench: no bench '%s'; %s\n", name, allowed);
+        return EXIT_STATUS_USAGE;
+    }
+    return EXIT_STATUS_GOOD;
+}
+
+int command_bench(int argc, char *argv[])
+{
+    enum { JSON = 256, HELP_ASKED };
+    static const struct option OPTIONS[] = {
+        {"json", no_argument, NULL, JSON}, {"help", no_argument, NULL, HELP_ASKED}, {NULL, 0, NULL, 0}};
+    bool json = false;
+    for (int option; (option = getopt_long(argc, argv, ":h", OPTIONS, NULL)) != -1;) {
+        if (option == JSON) {
+            json = true;
+        } else if (option == HELP_ASKED || option == 'h') {
+            fputs(HELP, stdout);
+            return EXIT_STATUS_GOOD;
+        } else {
+            return option_usage("bench", option, argv);
+        }
+    }
+    if (argc - optind > 1) {
+        fprintf(stderr, "frond bench: one NAME at the most; see frond bench --help\n");
+        return EXIT_STATUS_USAGE;
+    }
+    return run_bench(optind < argc ? argv[optind] : NULL, json);
+}
