@@ -62,15 +62,15 @@ static inline uint32_t bits_of(float value)
     LINK(h##7, 7, 5, below, 1, gates_below, GATE_UP_LEFT, 1, first, gates)                                             \
     LINK(h##8, 8, 6, below, -1, gates_below, GATE_UP_RIGHT, -1, first, gates)                                          \
     float h##_rho = ((h##0 + (h##1 + h##3)) + (h##2 + h##4)) + ((h##5 + h##7) + (h##6 + h##8));                        \
-    float h##_x = ((h##1 - h##3) + (h##5 - h##7)) + (h##8 - h##6);                                                     \
-    float h##_y = ((h##2 - h##4) + (h##5 - h##7)) + (h##6 - h##8);
+    float h##_down = h##5 - h##7, h##_up = h##6 - h##8;                                                                \
+    float h##_x = ((h##1 - h##3) + h##_down) - h##_up, h##_y = ((h##2 - h##4) + h##_down) + h##_up;
 
 #define CLAMP(value, least, most_)                                                                                     \
     value = value > (most_) ? (most_) : value;                                                                         \
     value = value < (least) ? (least) : value;
 
 /* A cell that nothing entered or left keeps its populations to the bit. */
-#define STORE(field, value) out[(field)*RING + x] = moved > 0.0f ? (value) : here[(field)*RING + x];
+#define STORE(field, value) out[(size_t)(field)*stride + (size_t)x] = moved > 0.0f ? (value) : here[(field)*RING + x];
 
 #define PAIR(h, i, j, rest, even_psi, odd_psi, along, first)                                                           \
     {                                                                                                                  \
@@ -99,7 +99,7 @@ static inline uint32_t bits_of(float value)
 /* One LBM step of both fluids, coupled (eq. 7-12).
  * Departures: velocity is momentum over the mean density, as eq. 9 wants and eq. 7 does not; it is capped at 0.35 a
  * component; the two momenta of this same step are coupled symmetrically, so that what one gains the other loses. */
-static void fluid(const struct fluid_row *row)
+static inline void fluid_step(const struct fluid_row *row, size_t stride)
 {
     const float *restrict above = row->above, *restrict here = row->here, *restrict below = row->below;
     const float *restrict gates_here = row->gates_here, *restrict gates_below = row->gates_below;
@@ -149,6 +149,38 @@ static void fluid(const struct fluid_row *row)
     }
 }
 
+/* Into a ring; and the last step of a tick, back into the painting. */
+static void fluid(const struct fluid_row *row)
+{
+    fluid_step(row, RING);
+}
+
+static void fluid_last(const struct fluid_row *row)
+{
+    fluid_step(row, row->stride);
+}
+
+/* Openness of the two fluids: 1 - kappa with kappa_s = rho_y (section 4.2), and for the ink 4 (rho_a + rho_p - 0.1),
+ * since branches are only .3 to .7 deep and eq. 13 would keep ink blocked (departure). */
+#define INK_OPENNESS(depth) (4.0f * ((depth)-0.1f))
+
+static void open(const struct open_row *row)
+{
+    const float *restrict active = row->active, *restrict catalyst = row->catalyst, *restrict carved = row->carved;
+    const uint8_t *restrict obstacle = row->obstacle;
+    float *restrict solvent_open = row->open, *restrict ink_open = row->open + RING;
+    const int begin = row->begin, end = row->end;
+    FOR_CELLS(x, begin, end)
+    {
+        float solvent = 1.0f - catalyst[x], ink = INK_OPENNESS(active[x] + carved[x]);
+        CLAMP(solvent, 0.0f, 1.0f)
+        CLAMP(ink, 0.0f, 1.0f)
+        float closed = (float)obstacle[x];
+        solvent_open[x] = closed > 0.0f ? CLOSED : solvent;
+        ink_open[x] = closed > 0.0f ? CLOSED : ink;
+    }
+}
+
 #define GATE(mine, near_row, shift) (0.5f * ((mine) + (near_row)[x + (shift)]))
 #define STORE_GATE(number, value)                                                                                      \
     {                                                                                                                  \
@@ -177,23 +209,23 @@ static void gates(const struct gates_row *row)
     }
 }
 
-#define POSITIVE(value)         ((value) > 0.0f ? (value) : 0.0f)
-#define TAP(row, shift, weight) weight *(row)[x + (shift)]
+#define CHOOSE(where, row, shift) ((where) > 0.0f ? (row)[x - (shift)] : (row)[x + (shift)])
 #define CARRY(n)                                                                                                       \
     {                                                                                                                  \
         const float *restrict p_up = wet_above + (n)*RING, *restrict p_own = wet_here + (n)*RING,                      \
                               *restrict p_down = wet_below + (n)*RING;                                                 \
-        float p = ((TAP(p_up, -1, w_ul) + TAP(p_up, 1, w_ur)) + (TAP(p_down, -1, w_dl) + TAP(p_down, 1, w_dr))) +      \
-                  ((TAP(p_up, 0, w_uc) + TAP(p_down, 0, w_dc)) + (TAP(p_own, -1, w_l) + TAP(p_own, 1, w_r))) +         \
-                  TAP(p_own, 0, w_c);                                                                                  \
+        float left = v > 0.0f ? p_up[x - 1] : p_down[x - 1], right = v > 0.0f ? p_up[x + 1] : p_down[x + 1];           \
+        float old = p_own[x], far = v > 0.0f ? p_up[x] : p_down[x], corner = u > 0.0f ? left : right;                  \
+        float p = (w_own * old + w_side * CHOOSE(u, p_own, 1)) + (w_far * far + w_corner * corner);                    \
         p = p * inverse;                                                                                               \
         p = p > 1e-6f ? p : 0.0f;                                                                                      \
-        wet_out[(n)*RING + x] = sum > 1e-4f ? p : p_own[x];                                                            \
+        wet_out[(size_t)(n)*stride + (size_t)x] = sum > 1e-4f ? p : old;                                               \
     }
 
-/* Semi-Lagrangian advection of the wet pigment (eq. 14). The departure point is within a cell, so the bilinear fetch is
- * a tent over nine cells; each tap counts by its openness, so colour never crosses a boundary. */
-static void pigment(const struct fluid_row *row)
+/* Semi-Lagrangian advection of the wet pigment (eq. 14). The departure point is within a cell, so the four cells of the
+ * bilinear fetch are the cell, one beside it, one above or below it, and the corner; each counts by its openness, so
+ * colour never crosses a boundary. */
+static inline void pigment_step(const struct fluid_row *row, size_t stride)
 {
     const float *restrict wet_above = row->above + FLUID_WET * RING, *restrict wet_here = row->here + FLUID_WET * RING,
                           *restrict wet_below = row->below + FLUID_WET * RING;
@@ -202,22 +234,20 @@ static void pigment(const struct fluid_row *row)
                           *restrict open_down = row->gates_below + OPEN_INK * RING;
     const float *restrict flow_u = row->flow + FLOW_U * RING, *restrict flow_v = row->flow + FLOW_V * RING,
                           *restrict flow_moved = row->flow + FLOW_MOVED * RING;
-    float *restrict wet_out = row->out + FLUID_WET * RING;
+    float *restrict wet_out = row->out + FLUID_WET * stride;
     const int begin = row->begin, end = row->end;
     FOR_CELLS(x, begin, end)
     {
-        float u = flow_u[x], v = flow_v[x];
-        float left = POSITIVE(u), right = POSITIVE(-u), middle = 1.0f - (left + right);
-        float up = POSITIVE(v), down = POSITIVE(-v), level = 1.0f - (up + down);
-        float own = open_own[x];
-        float w_ul = (up * left) * open_up[x - 1], w_uc = (up * middle) * open_up[x];
-        float w_ur = (up * right) * open_up[x + 1];
-        float w_l = (level * left) * open_own[x - 1], w_c = (level * middle) * own;
-        float w_r = (level * right) * open_own[x + 1];
-        float w_dl = (down * left) * open_down[x - 1], w_dc = (down * middle) * open_down[x];
-        float w_dr = (down * right) * open_down[x + 1];
-        float sum = ((w_ul + w_ur) + (w_dl + w_dr)) + ((w_uc + w_dc) + (w_l + w_r)) + w_c;
-        sum = own > 0.0f ? sum : 0.0f;
+        float u = flow_u[x], v = flow_v[x], across = fabsf(u), along = fabsf(v);
+        float open_left = v > 0.0f ? open_up[x - 1] : open_down[x - 1];
+        float open_right = v > 0.0f ? open_up[x + 1] : open_down[x + 1];
+        float open = open_own[x], open_far = v > 0.0f ? open_up[x] : open_down[x];
+        float open_corner = u > 0.0f ? open_left : open_right;
+        float w_own = ((1.0f - across) * (1.0f - along)) * open;
+        float w_side = (across * (1.0f - along)) * CHOOSE(u, open_own, 1);
+        float w_far = ((1.0f - across) * along) * open_far, w_corner = (across * along) * open_corner;
+        float sum = (w_own + w_side) + (w_far + w_corner);
+        sum = open > 0.0f ? sum : 0.0f;
         sum = sum * flow_moved[x];
         float inverse = 1.0f / (sum > 1e-4f ? sum : 1.0f);
         CARRY(0)
@@ -225,6 +255,16 @@ static void pigment(const struct fluid_row *row)
         CARRY(2)
         CARRY(3)
     }
+}
+
+static void pigment(const struct fluid_row *row)
+{
+    pigment_step(row, RING);
+}
+
+static void pigment_last(const struct fluid_row *row)
+{
+    pigment_step(row, row->stride);
 }
 
 /* Coefficients of a row for the pattern steps of one tick: xi alpha_a behind the Heaviside of eq. 2, and the growth of
@@ -361,6 +401,14 @@ static void pattern_full(const struct pattern_row *row)
     }
 }
 
+static void square(const float *restrict active, float *restrict out, int begin, int end)
+{
+    FOR_CELLS(x, begin, end)
+    {
+        out[x] = active[x] * active[x];
+    }
+}
+
 static void raise(const float *restrict active, float *restrict out, int begin, int end, float k)
 {
     FOR_CELLS(x, begin, end)
@@ -368,10 +416,6 @@ static void raise(const float *restrict active, float *restrict out, int begin, 
         out[x] = power(active[x], k);
     }
 }
-
-/* Openness of the two fluids: kappa_s = rho_y / 1, and for the ink 4 (rho_a + rho_p - 0.1), since branches are only .3
- * to .7 deep and eq. 13 would keep ink blocked (departure). */
-#define INK_OPENNESS(depth) (4.0f * ((depth)-0.1f))
 
 static void pattern_end(const struct pattern_end_row *row)
 {
@@ -413,12 +457,16 @@ static void fluid_end(const float *restrict density, float *restrict stored, con
 }
 
 const struct kernels KERNELS = {
+    .open = open,
     .gates = gates,
     .fluid = fluid,
     .pigment = pigment,
+    .fluid_last = fluid_last,
+    .pigment_last = pigment_last,
     .rates = rates,
     .pattern = pattern,
     .pattern_full = pattern_full,
+    .square = square,
     .raise = raise,
     .pattern_end = pattern_end,
     .fluid_end = fluid_end,

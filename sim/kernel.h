@@ -5,12 +5,13 @@
 #ifndef FROND_KERNEL_H
 #define FROND_KERNEL_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 enum {
-    RING = 608,       /* floats a row of a ring: 16 + 16 + 512 + 16 and room, and not a power of two */
+    RING = 800,       /* floats a row of a ring: 16 + 16 + 736 + 16 and room, and not a power of two */
     RING_LEAD = 16,   /* floats before the first cell */
-    RUN_WIDEST = 512, /* cells of a run, without the 16 of halo on either side */
+    RUN_WIDEST = 736, /* cells of a run, without the 16 of halo on either side: a sheet of 720 needs no seam */
     HALO = 16,
     INKS = 4,
 };
@@ -54,9 +55,10 @@ struct fluid_row {
     int begin, end;
     const float *above, *here, *below;                   /* [FLUID_FIELDS][RING] */
     const float *gates_above, *gates_here, *gates_below; /* [GATE_FIELDS][RING]; below: the links to the row below */
-    float *out;                                          /* [FLUID_FIELDS][RING] */
-    float *flow;                                         /* [FLOW_FIELDS][RING] */
-    int32_t *changed;                                    /* |= 1 where a population crossed a link */
+    float *out; /* [FLUID_FIELDS][RING]; of the last step, [FLUID_FIELDS][stride] of the painting itself */
+    size_t stride;
+    float *flow;      /* [FLOW_FIELDS][RING] */
+    int32_t *changed; /* |= 1 where a population crossed a link */
     float omega, inverse_mu, gamma;
     float round; /* 1.5 * 2^23 * q: adding and taking it away rounds to multiples of q */
 };
@@ -90,6 +92,13 @@ struct pattern_end_row { /* compares old and new of a row, and stores the new */
 };
 enum { PATTERN_CHANGED = 1, PATTERN_ALIVE = 2, PATTERN_OPENED = 4 };
 
+struct open_row { /* makes the openness of a row from its pattern and obstacles */
+    int begin, end;
+    const float *active, *catalyst, *carved;
+    const uint8_t *obstacle;
+    float *open; /* [2][RING], solvent and ink */
+};
+
 struct gates_row { /* makes the gates between a row and the one above it */
     int begin, end;
     const float *above, *here; /* [2][RING], openness of solvent and ink or CLOSED */
@@ -97,13 +106,17 @@ struct gates_row { /* makes the gates between a row and the one above it */
 };
 
 struct kernels {
+    void (*open)(const struct open_row *);
     void (*gates)(const struct gates_row *);
     void (*fluid)(const struct fluid_row *);
     void (*pigment)(const struct fluid_row *);
+    void (*fluid_last)(const struct fluid_row *);
+    void (*pigment_last)(const struct fluid_row *);
     void (*rates)(const struct rates_row *);
     void (*pattern)(const struct pattern_row *); /* free ground: no obstacle, no guidance, catalyst by five points */
     void (*pattern_full)(const struct pattern_row *); /* everything; the same bits on free ground */
-    void (*raise)(const float *active, float *raised, int begin, int end, float k); /* active^k */
+    void (*square)(const float *active, float *squares, int begin, int end);
+    void (*raise)(const float *active, float *powers, int begin, int end, float k); /* active^k */
     void (*pattern_end)(const struct pattern_end_row *);
     /* |= 1 where growth will see other solvent than before; stores the new density. */
     void (*fluid_end)(const float *density, float *stored, const uint16_t *s_max, int32_t *changed, int begin, int end,

@@ -51,7 +51,7 @@ static void flood(const struct fluid_pass *pass, const float *liquid, const floa
             rho += ink[i * RING + x];
         }
         float open = clamp_unit(rho / threshold - 1.0f) * clamp_unit(2.0f - 4.0f * catalyst[x]);
-        ink_open[x] = open > ink_open[x] ? open : ink_open[x];
+        ink_open[x] = ink_open[x] >= 0.0f && open > ink_open[x] ? open : ink_open[x];
     }
 }
 
@@ -68,30 +68,24 @@ static void make_gates(const struct fluid_pass *pass, int y)
     }
 }
 
-/* Openness of row y (section 4.2 and eq. 13), from the pattern and the obstacles. */
+/* Openness of row y, from the pattern and the obstacles; beyond the sheet all is closed. */
 static void make_open(const struct fluid_pass *pass, int y)
 {
     const struct painting *painting = pass->painting;
-    const float *active = pattern_row(painting, y) + pass->span.from, *catalyst = active + painting->stride,
-                *carved = catalyst + painting->stride;
-    const uint8_t *obstacle = obstacle_row(painting, y) + pass->span.from;
-    float *restrict solvent = open_row(pass, y), *restrict ink = solvent + RING;
-    int width = pass->span.to - pass->span.from;
-    for (int x = 0; x < width; x++) {
-        solvent[x] = clamp_unit(1.0f - catalyst[x]);
-        ink[x] = clamp_unit(4.0f * ((active[x] + carved[x]) - 0.1f));
-    }
+    int shift = pass->span.from, width = pass->span.to - shift;
+    const float *active = pattern_row(painting, y) + shift;
+    struct open_row make = {.end = width,
+                            .active = active,
+                            .catalyst = active + PATTERN_CATALYST * painting->stride,
+                            .carved = active + PATTERN_CARVED * painting->stride,
+                            .obstacle = obstacle_row(painting, y) + shift,
+                            .open = open_row(pass, y)};
+    painting->kernels->open(&make);
+    float *solvent = make.open, *ink = make.open + RING;
     if (painting->def.coefficients.flood > 0.0f) {
-        flood(pass, level_row(pass, 0, y), catalyst, ink);
+        flood(pass, level_row(pass, 0, y), make.catalyst, ink);
     }
-    if (pass->run->special) {
-        for (int x = 0; x < width; x++) {
-            solvent[x] = obstacle[x] ? CLOSED : solvent[x];
-            ink[x] = obstacle[x] ? CLOSED : ink[x];
-        }
-    }
-    int beyond = painting->width - pass->span.from;
-    for (int x = beyond; x < width; x++) {
+    for (int x = painting->width - shift; x < width; x++) {
         solvent[x] = ink[x] = CLOSED;
     }
     solvent[-1] = ink[-1] = solvent[width] = ink[width] = CLOSED;
@@ -110,33 +104,20 @@ static void prefetch(const float *row, int count)
     }
 }
 
-/* Asks for a share of the fields of the row that comes in next. */
+/* Asks for a share of the fields of the row that comes in next: liquids and pigment, then the pattern. */
 static void prefetch_next(const struct fluid_pass *pass, int y, int step)
 {
+    enum { FIELDS = FLUID_FIELDS + PATTERN_FIELDS };
     if (y >= pass->run->y1 || y < pass->run->y0) {
         return;
     }
     const struct painting *painting = pass->painting;
-    const float *next = fluid_row(painting, y) + pass->run->x0;
-    for (int field = (step - 1) * FLUID_FIELDS / pass->steps; field < step * FLUID_FIELDS / pass->steps; field++) {
-        prefetch(next + field * painting->stride, pass->run->x1 - pass->run->x0);
+    const float *liquid = fluid_row(painting, y) + pass->run->x0, *pattern = pattern_row(painting, y) + pass->run->x0;
+    for (int field = (step - 1) * FIELDS / pass->steps; field < step * FIELDS / pass->steps; field++) {
+        const float *next = field < FLUID_FIELDS ? liquid + field * painting->stride
+                                                 : pattern + (field - FLUID_FIELDS) * painting->stride;
+        prefetch(next, pass->run->x1 - pass->run->x0);
     }
-}
-
-/* Stores row y of the last step. */
-static void finish_row(struct fluid_pass *pass, int y)
-{
-    struct painting *painting = pass->painting;
-    const struct fluid_row *kernel = &pass->kernel;
-    const float *from = kernel->out + kernel->begin;
-    float *to = fluid_row(painting, y) + pass->run->x0;
-    for (int field = 0; field < FLUID_FIELDS; field++) {
-        memcpy(to + field * painting->stride, from + field * RING, (size_t)(kernel->end - kernel->begin) * sizeof *to);
-    }
-    int shift = pass->span.from;
-    painting->kernels->fluid_end(kernel->flow, solvent_row(painting, y) + shift,
-                                 map_row(painting, MAP_S_MAX, y) + shift, pass->rows->fed + RING_LEAD, kernel->begin,
-                                 kernel->end, painting->def.coefficients.delta);
 }
 
 static void compute_row(struct fluid_pass *pass, int step, int y)
@@ -156,11 +137,18 @@ static void compute_row(struct fluid_pass *pass, int step, int y)
     kernel->end =
         last && pass->run->x1 < painting->width ? pass->run->x1 - pass->span.from : pass->span.to - pass->span.from;
     kernel->changed = inside ? changed_row(pass, y / TILE) : pass->rows->unheard + RING_LEAD;
-    painting->kernels->fluid(kernel);
-    painting->kernels->pigment(kernel);
-    if (last) {
-        finish_row(pass, y);
+    if (!last) {
+        painting->kernels->fluid(kernel);
+        painting->kernels->pigment(kernel);
+        return;
     }
+    int shift = pass->span.from;
+    kernel->out = fluid_row(painting, y) + shift;
+    painting->kernels->fluid_last(kernel);
+    painting->kernels->pigment_last(kernel);
+    painting->kernels->fluid_end(kernel->flow, solvent_row(painting, y) + shift,
+                                 map_row(painting, MAP_S_MAX, y) + shift, pass->rows->fed + RING_LEAD, kernel->begin,
+                                 kernel->end, painting->def.coefficients.delta);
 }
 
 /* Gathers what the rows of a line of tiles have noted, and forgets it. */
@@ -194,6 +182,7 @@ static void sweep_run(void *context, int piece, int member)
     pass.rows = &painting->rows[member];
     pass.span = run_span(painting, pass.run);
     pass.kernel.flow = pass.rows->flow + RING_LEAD;
+    pass.kernel.stride = (size_t)painting->stride;
     pass.kernel.omega = coefficients->omega;
     pass.kernel.inverse_mu = 1.0f / coefficients->mu;
     pass.kernel.gamma = coefficients->gamma;

@@ -62,9 +62,7 @@ static void load_row(struct pattern_pass *pass, int y)
     float *ring = level_row(pass, 0, y), *rates = rates_row(pass, y);
     int width = pass->span.to - pass->span.from, shift = pass->span.from;
     halo_load(painting, &pass->layout, pass->run, y, ring);
-    for (int x = 0; x < width; x++) {
-        ring[PATTERN_POWER * RING + x] = ring[x] * ring[x];
-    }
+    painting->kernels->square(ring, ring + PATTERN_POWER * RING, 0, width);
     raise(pass, ring, 0, width);
     mirror_ends(pass, ring);
     struct rates_row *make = &pass->rates;

@@ -5,18 +5,19 @@
 
 #include "kernel.h"
 
-enum { FARTHEST_ENDS = 2 }; /* tiles by which a run may differ from the one above it and still be joined to it */
+enum {
+    FARTHEST_ENDS = 2, /* tiles by which a run may differ from the one above it and still be joined to it */
+    LEAST_LINES = 4,   /* lines of tiles of a run that shares its work */
+    MOST_LINES = 16,
+};
 
 bool tiles_init(struct tiles *tiles, int width, int height, int threads)
 {
-    int bands = (width + RUN_WIDEST - 1) / RUN_WIDEST, share = height * bands / (3 * threads);
-    share = share < 4 * TILE ? 4 * TILE : share;
-    share = share > 16 * TILE ? 16 * TILE : share;
     *tiles = (struct tiles){.width = width,
                             .height = height,
                             .columns = (width + TILE - 1) / TILE,
                             .rows = (height + TILE - 1) / TILE,
-                            .tallest = share / TILE * TILE};
+                            .threads = threads};
     size_t count = (size_t)tiles->columns * (size_t)tiles->rows;
     bool whole = true;
     for (int flag = 0; flag < TILE_FLAGS; flag++) {
@@ -151,6 +152,17 @@ static bool join(struct tiles *tiles, int from, int to, int ty)
     return false;
 }
 
+/* High runs compute fewer rows twice, low ones share the work better: some two for each thread. */
+static void choose_tallest(struct tiles *tiles)
+{
+    int lines = 0;
+    for (int ty = 0; ty < tiles->rows; ty++) {
+        lines += memchr(tiles->awake + (size_t)ty * (size_t)tiles->columns, 1, (size_t)tiles->columns) != NULL;
+    }
+    int share = (lines + 2 * tiles->threads - 1) / (2 * tiles->threads);
+    tiles->tallest = TILE * (share < LEAST_LINES ? LEAST_LINES : share > MOST_LINES ? MOST_LINES : share);
+}
+
 static void build_runs(struct tiles *tiles)
 {
     int columns = tiles->columns;
@@ -210,6 +222,7 @@ void tiles_wake(struct tiles *tiles, enum tile_flag moves, enum tile_flag cause,
     } else {
         find_awake(tiles, tiles->flags[moves], tiles->flags[cause], tiles->flags[able]);
     }
+    choose_tallest(tiles);
     build_runs(tiles);
     for (int i = 0; i < tiles->run_count; i++) {
         tiles->runs[i].special = run_is_special(tiles, &tiles->runs[i]);

@@ -33,7 +33,8 @@ struct run { /* cells [x0, x1) x [y0, y1), whole tiles but for the right and low
 struct tiles {
     int width, height; /* cells */
     int columns, rows; /* tiles */
-    int tallest;       /* cells that a run may be high: bounds the work of one piece */
+    int threads;       /* that share the runs */
+    int tallest;       /* cells that a run may be high */
     uint8_t *flags[TILE_FLAGS];
     uint8_t *awake;  /* of the layer built last */
     uint8_t *across; /* scratch */
