@@ -78,14 +78,16 @@ static void free_rows(struct bench_rows *rows)
     free(rows->unheard);
 }
 
-/* Room for the halos of the dense runs, which always suffices, and half as much again for many small ones. */
+/* Room for the halos of the dense runs, which always suffices, and at least eight bytes a cell for many small ones. */
 static bool take_halo(struct painting *painting)
 {
     struct halo_layout fluid = {painting->fluid, FLUID_FIELDS, FLUID_LEVELS - 1};
     struct halo_layout pattern = {painting->pattern, PATTERN_FIELDS, PATTERN_LEVELS - 1};
     tiles_wake(&painting->tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, true);
     size_t need = halo_need(painting, &fluid), other = halo_need(painting, &pattern);
-    painting->halo_floats = (need > other ? need : other) * 3 / 2;
+    size_t least = 2 * (size_t)painting->width * (size_t)painting->height;
+    painting->halo_floats = need > other ? need : other;
+    painting->halo_floats = painting->halo_floats > least ? painting->halo_floats : least;
     painting->halo = take(painting, painting->halo_floats, sizeof(float));
     return painting->halo != NULL;
 }

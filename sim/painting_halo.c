@@ -1,14 +1,14 @@
 /* Sweeps work in place, and runs in any order, so what a run reads beyond its own cells must be saved before anybody
- * writes. A halo: the rows above, then below, `levels` deep and as wide as the run's span; then the columns left and
- * right, `levels` wide. Columns further out are computed from whatever the ring holds: stale values spread by a cell a
- * level and never reach the run. */
+ * writes, where it belongs to another run. A halo: the rows above, then below, `levels` deep and as wide as the run's
+ * span; then the columns left and right, `levels` wide. Columns further out are computed from whatever the ring holds:
+ * stale values spread by a cell a level and never reach the run. */
 #include <string.h>
 
 #include "painting_state.h"
 
 struct halo_shape {
-    int top, bottom;  /* rows above and below */
-    int left, right;  /* columns */
+    int top, bottom;  /* rows saved above and below */
+    int left, right;  /* columns saved */
     size_t row, side; /* floats of one row; of one row of columns */
 };
 
@@ -17,11 +17,13 @@ static struct halo_shape shape_of(const struct painting *painting, const struct 
 {
     struct span span = run_span(painting, run);
     int below = painting->height - run->y1;
+    int top = run->y0 < layout->levels ? run->y0 : layout->levels;
+    int bottom = below < layout->levels ? below : layout->levels;
     struct halo_shape shape = {
-        .top = run->y0 < layout->levels ? run->y0 : layout->levels,
-        .bottom = below < layout->levels ? below : layout->levels,
-        .left = run->x0 == 0 ? 0 : layout->levels,
-        .right = run->x1 >= painting->width ? 0 : layout->levels,
+        .top = run->guarded[SIDE_TOP] ? top : 0,
+        .bottom = run->guarded[SIDE_BOTTOM] ? bottom : 0,
+        .left = run->guarded[SIDE_LEFT] ? layout->levels : 0,
+        .right = run->guarded[SIDE_RIGHT] ? layout->levels : 0,
         .row = (size_t)layout->fields * (size_t)(span.to - span.from),
     };
     shape.side = (size_t)layout->fields * (size_t)(shape.left + shape.right);
@@ -69,17 +71,15 @@ void halo_save(const struct painting *painting, const struct halo_layout *layout
     struct span span = run_span(painting, run);
     float *to = painting->halo + run->halo;
     int width = span.to - span.from, stride = painting->stride;
-    for (int y = run->y0 - shape.top; y < run->y1 + shape.bottom; y++) {
+    for (int row = 0; row < shape.top + shape.bottom; row++) {
+        int y = row < shape.top ? run->y0 - shape.top + row : run->y1 + row - shape.top;
+        const float *from = stored_row(painting, layout, y) + span.from;
+        for (int field = 0; field < layout->fields; field++, to += width, from += stride) {
+            copy(to, from, width);
+        }
+    }
+    for (int y = run->y0; y < run->y1 && shape.side > 0; y++) {
         const float *from = stored_row(painting, layout, y);
-        if (y < run->y0 || y >= run->y1) {
-            for (int field = 0; field < layout->fields; field++, to += width, from += stride) {
-                copy(to, from + span.from, width);
-            }
-            continue;
-        }
-        if (shape.side == 0) {
-            continue;
-        }
         for (int field = 0; field < layout->fields; field++, from += stride) {
             copy(to, from + run->x0 - shape.left, shape.left);
             to += shape.left;
@@ -89,30 +89,48 @@ void halo_save(const struct painting *painting, const struct halo_layout *layout
     }
 }
 
-void halo_load(const struct painting *painting, const struct halo_layout *layout, const struct run *run, int y,
-               float *ring)
+/* A row of the run itself: its own cells, and what lies left and right of them. */
+static void load_level(const struct painting *painting, const struct halo_layout *layout, const struct run *run, int y,
+                       float *ring)
 {
     struct halo_shape shape = shape_of(painting, layout, run);
     struct span span = run_span(painting, run);
-    int width = span.to - span.from, stride = painting->stride;
-    const float *saved = painting->halo + run->halo;
-    if (y < run->y0) {
-        saved += shape.row * (size_t)(y - (run->y0 - shape.top));
-    } else if (y >= run->y1) {
-        saved += shape.row * (size_t)(shape.top + y - run->y1) + shape.side * (size_t)(run->y1 - run->y0);
-    } else {
-        int lead = run->x0 - span.from, inside = run->x1 >= painting->width ? width - lead : run->x1 - run->x0;
-        const float *from = stored_row(painting, layout, y) + run->x0;
-        saved += shape.row * (size_t)shape.top + shape.side * (size_t)(y - run->y0);
-        for (int field = 0; field < layout->fields; field++, ring += RING, from += stride) {
-            copy(ring + lead - shape.left, saved, shape.left);
-            copy(ring + lead, from, inside);
-            copy(ring + lead + inside, saved + shape.left, shape.right);
-            saved += shape.left + shape.right;
+    const float *from = stored_row(painting, layout, y) + run->x0;
+    const float *saved = painting->halo + run->halo + shape.row * (size_t)(shape.top + shape.bottom) +
+                         shape.side * (size_t)(y - run->y0);
+    int levels = layout->levels, lead = run->x0 - span.from, inside = span.to - span.from - lead, trail = 0;
+    if (run->x1 < painting->width) {
+        inside = run->x1 - run->x0;
+        trail = levels;
+    }
+    ring += lead;
+    for (int field = 0; field < layout->fields; field++, ring += RING, from += painting->stride) {
+        if (lead > 0) {
+            copy(ring - levels, shape.left > 0 ? saved : from - levels, levels);
         }
+        copy(ring, from, inside);
+        copy(ring + inside, shape.right > 0 ? saved + shape.left : from + inside, trail);
+        saved += shape.left + shape.right;
+    }
+}
+
+void halo_load(const struct painting *painting, const struct halo_layout *layout, const struct run *run, int y,
+               float *ring)
+{
+    if (y >= run->y0 && y < run->y1) {
+        load_level(painting, layout, run, y, ring);
         return;
     }
-    for (int field = 0; field < layout->fields; field++, ring += RING, saved += width) {
-        copy(ring, saved, width);
+    struct halo_shape shape = shape_of(painting, layout, run);
+    struct span span = run_span(painting, run);
+    int width = span.to - span.from, apart = painting->stride;
+    const float *from = stored_row(painting, layout, y) + span.from;
+    if (y < run->y0 ? shape.top > 0 : shape.bottom > 0) {
+        int row = y < run->y0 ? y - (run->y0 - shape.top) : shape.top + y - run->y1;
+        from = painting->halo + run->halo + shape.row * (size_t)row;
+        apart = width;
+    }
+    for (int field = 0; field < layout->fields; field++, ring += RING, from += apart) {
+        copy(ring, from, width);
     }
 }

@@ -189,9 +189,10 @@ static void build_runs(struct tiles *tiles)
             }
             if (from < to && !join(tiles, from, to, ty)) {
                 int x1 = to * TILE, y1 = (ty + 1) * TILE;
-                tiles->runs[tiles->run_count] = (struct run){from * TILE, x1 < tiles->width ? x1 : tiles->width,
-                                                             ty * TILE,   y1 < tiles->height ? y1 : tiles->height,
-                                                             false,       0};
+                tiles->runs[tiles->run_count] = (struct run){.x0 = from * TILE,
+                                                             .x1 = x1 < tiles->width ? x1 : tiles->width,
+                                                             .y0 = ty * TILE,
+                                                             .y1 = y1 < tiles->height ? y1 : tiles->height};
                 own(tiles, from, to, ty, ty + 1, tiles->run_count);
                 tiles->run_count++;
             }
@@ -200,18 +201,22 @@ static void build_runs(struct tiles *tiles)
     }
 }
 
-static bool run_is_special(const struct tiles *tiles, const struct run *run)
+/* What a run reads beyond its own cells: one tile around it. */
+static void look_around(const struct tiles *tiles, struct run *run, int index)
 {
-    int left = run->x0 / TILE - 1, right = (run->x1 - 1) / TILE + 1, top = run->y0 / TILE - 1,
-        bottom = (run->y1 - 1) / TILE + 1;
-    for (int ty = top < 0 ? 0 : top; ty <= bottom && ty < tiles->rows; ty++) {
-        for (int tx = left < 0 ? 0 : left; tx <= right && tx < tiles->columns; tx++) {
-            if (tiles->flags[TILE_SPECIAL][ty * tiles->columns + tx]) {
-                return true;
-            }
+    int left = run->x0 / TILE, right = (run->x1 - 1) / TILE, top = run->y0 / TILE, bottom = (run->y1 - 1) / TILE;
+    for (int ty = top > 0 ? top - 1 : 0; ty <= bottom + 1 && ty < tiles->rows; ty++) {
+        for (int tx = left > 0 ? left - 1 : 0; tx <= right + 1 && tx < tiles->columns; tx++) {
+            int at = ty * tiles->columns + tx;
+            bool foreign = tiles->owner[at] >= 0 && tiles->owner[at] != index;
+            bool level = ty >= top && ty <= bottom;
+            run->guarded[SIDE_LEFT] |= foreign && level && tx < left;
+            run->guarded[SIDE_RIGHT] |= foreign && level && tx > right;
+            run->guarded[SIDE_TOP] |= foreign && ty < top;
+            run->guarded[SIDE_BOTTOM] |= foreign && ty > bottom;
+            run->special |= tiles->flags[TILE_SPECIAL][at] != 0;
         }
     }
-    return false;
 }
 
 void tiles_wake(struct tiles *tiles, enum tile_flag moves, enum tile_flag cause, enum tile_flag able, bool dense)
@@ -225,7 +230,7 @@ void tiles_wake(struct tiles *tiles, enum tile_flag moves, enum tile_flag cause,
     choose_tallest(tiles);
     build_runs(tiles);
     for (int i = 0; i < tiles->run_count; i++) {
-        tiles->runs[i].special = run_is_special(tiles, &tiles->runs[i]);
+        look_around(tiles, &tiles->runs[i], i);
     }
     memset(tiles->flags[moves], 0, count);
     memset(tiles->flags[cause], 0, count);

@@ -24,10 +24,13 @@ enum tile_flag {
     TILE_FLAGS,
 };
 
+enum side { SIDE_LEFT, SIDE_RIGHT, SIDE_TOP, SIDE_BOTTOM };
+
 struct run { /* cells [x0, x1) x [y0, y1), whole tiles but for the right and lower border */
     int x0, x1, y0, y1;
-    bool special; /* some cell that it reads lies in a special tile */
-    size_t halo;  /* floats: where its saved halo begins */
+    bool guarded[4]; /* cells beyond this side belong to other runs, which will overwrite them: see enum side */
+    bool special;    /* some cell that it reads lies in a special tile */
+    size_t halo;     /* floats: where its saved halo begins */
 };
 
 struct tiles {
