@@ -99,6 +99,8 @@ grep -q "^frond explain: nothing is called 'alpa_a'; did you mean alpha_a? One o
 cp "$data"/sessions/*.yaml .
 expect 0 check one-drop.yaml two-drops.yaml guided.yaml
 quiet
+expect 0 check "$data"/../../config/sessions/*.yaml # those that ship
+quiet
 printf 'frond: 1\nactions:\n  - {tick: 0, drop: {at: [0.5, 2], radius: 5000}}\n' >bad.yaml
 problems="bad.yaml:3:32: actions[0].drop.at[1]: 2 is out of range; 0 to 1 of the sheet
 bad.yaml:3:44: actions[0].drop.radius: 5000 is out of range; 0.5 to 512 cells"
