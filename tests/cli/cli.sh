@@ -99,6 +99,8 @@ grep -q "^frond explain: nothing is called 'alpa_a'; did you mean alpha_a? One o
 cp "$data"/sessions/*.yaml .
 expect 0 check one-drop.yaml two-drops.yaml guided.yaml
 quiet
+expect 0 check "$data"/../../config/sessions/*.yaml # those that ship
+quiet
 printf 'frond: 1\nactions:\n  - {tick: 0, drop: {at: [0.5, 2], radius: 5000}}\n' >bad.yaml
 problems="bad.yaml:3:32: actions[0].drop.at[1]: 2 is out of range; 0 to 1 of the sheet
 bad.yaml:3:44: actions[0].drop.radius: 5000 is out of range; 0.5 to 512 cells"
@@ -162,11 +164,17 @@ printf 'frond: 1\ncanvas: {width: 32, height: 32}\nticks: 2\nactions:\n  - {tick
 expect 0 render inside/s.yaml -o d.png
 present d.png
 
-# run: a session to out/, its path on stdout.
-printf 'frond: 1\ncanvas: {width: 32, height: 32}\nticks: 3\n' >small.yaml
+# run: a session to out/, two pixels a cell, and six pictures of how it grew; their paths on stdout.
+printf 'frond: 1\ncanvas: {width: 32, height: 24}\nticks: 12\n' >small.yaml
 expect 0 run small.yaml
 prints "out/small.png"
+prints "out/small-growth/"
 present out/small.png
+[ "$(od -An -tu1 -j16 -N8 out/small.png | tr -s ' ')" = " 0 0 0 64 0 0 0 48" ] || fail "$last: not two pixels a cell"
+for tick in 02 04 06 08 10 12; do
+    present "out/small-growth/0000$tick.png"
+done
+absent out/small-growth/000001.png
 
 # explain: every key with its range.
 expect 0 explain drop.radius
