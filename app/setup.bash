@@ -29,9 +29,10 @@ apt_get() {
 
 # Prints those of the packages given that apt could not install.
 without_candidate() {
-    local package
+    local package policy
     for package in "$@"; do
-        if ! apt-cache policy "$package" 2>/dev/null | grep -q '^  Candidate: [^(]'; then
+        policy=$(apt-cache policy "$package" 2>/dev/null) || true
+        if ! grep -q '^  Candidate: [^(]' <<<"$policy"; then
             printf '%s\n' "$package"
         fi
     done
