@@ -29,9 +29,10 @@ apt_get() {
 
 # Prints those of the packages given that apt could not install.
 without_candidate() {
-    local package
+    local package policy
     for package in "$@"; do
-        if ! apt-cache policy "$package" 2>/dev/null | grep -q '^  Candidate: [^(]'; then
+        policy=$(apt-cache policy "$package" 2>/dev/null) || true
+        if ! grep -q '^  Candidate: [^(]' <<<"$policy"; then
             printf '%s\n' "$package"
         fi
     done
@@ -56,7 +57,7 @@ install_missing() {
     mapfile -t unknown < <(without_candidate "${missing[@]}")
     # Lists that know every package may still be stale: then the first try fails, and they are fetched for a second.
     if ((${#unknown[@]} > 0)) || ! apt_get install --no-install-recommends "${missing[@]}"; then
-        if ! apt_get update; then
+        if ! apt_get -o APT::Update::Error-Mode=any update; then
             say "the package lists cannot be fetched; is there a network? Missing: ${missing[*]}"
             exit 1
         fi
