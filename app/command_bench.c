@@ -6,8 +6,8 @@
 
 #include "bench.h"
 #include "command.h"
-#include "script_value.h"
 #include "option.h"
+#include "script_value.h"
 
 static const char HELP[] =
     "usage: frond bench [NAME] [--json]\n\n"

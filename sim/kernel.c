@@ -167,7 +167,6 @@ static void fluid_last(const struct fluid_row *row)
 static void open(const struct open_row *row)
 {
     const float *restrict active = row->active, *restrict catalyst = row->catalyst, *restrict carved = row->carved;
-    const uint8_t *restrict obstacle = row->obstacle;
     float *restrict solvent_open = row->open, *restrict ink_open = row->open + RING;
     const int begin = row->begin, end = row->end;
     FOR_CELLS(x, begin, end)
@@ -175,9 +174,8 @@ static void open(const struct open_row *row)
         float solvent = 1.0f - catalyst[x], ink = INK_OPENNESS(active[x] + carved[x]);
         CLAMP(solvent, 0.0f, 1.0f)
         CLAMP(ink, 0.0f, 1.0f)
-        float closed = (float)obstacle[x];
-        solvent_open[x] = closed > 0.0f ? CLOSED : solvent;
-        ink_open[x] = closed > 0.0f ? CLOSED : ink;
+        solvent_open[x] = solvent;
+        ink_open[x] = ink;
     }
 }
 

@@ -92,10 +92,9 @@ struct pattern_end_row { /* compares old and new of a row, and stores the new */
 };
 enum { PATTERN_CHANGED = 1, PATTERN_ALIVE = 2, PATTERN_OPENED = 4 };
 
-struct open_row { /* makes the openness of a row from its pattern and obstacles */
+struct open_row { /* makes the openness of a row from its pattern */
     int begin, end;
     const float *active, *catalyst, *carved;
-    const uint8_t *obstacle;
     float *open; /* [2][RING], solvent and ink */
 };
 

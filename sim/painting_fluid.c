@@ -51,7 +51,7 @@ static void flood(const struct fluid_pass *pass, const float *liquid, const floa
             rho += ink[i * RING + x];
         }
         float open = clamp_unit(rho / threshold - 1.0f) * clamp_unit(2.0f - 4.0f * catalyst[x]);
-        ink_open[x] = ink_open[x] >= 0.0f && open > ink_open[x] ? open : ink_open[x];
+        ink_open[x] = open > ink_open[x] ? open : ink_open[x];
     }
 }
 
@@ -78,12 +78,16 @@ static void make_open(const struct fluid_pass *pass, int y)
                             .active = active,
                             .catalyst = active + PATTERN_CATALYST * painting->stride,
                             .carved = active + PATTERN_CARVED * painting->stride,
-                            .obstacle = obstacle_row(painting, y) + shift,
                             .open = open_row(pass, y)};
     painting->kernels->open(&make);
     float *solvent = make.open, *ink = make.open + RING;
     if (painting->def.coefficients.flood > 0.0f) {
         flood(pass, level_row(pass, 0, y), make.catalyst, ink);
+    }
+    const uint8_t *obstacle = obstacle_row(painting, y) + shift;
+    for (int x = 0; x < width && pass->run->special; x++) {
+        solvent[x] = obstacle[x] ? CLOSED : solvent[x];
+        ink[x] = obstacle[x] ? CLOSED : ink[x];
     }
     for (int x = painting->width - shift; x < width; x++) {
         solvent[x] = ink[x] = CLOSED;
