@@ -1,17 +1,16 @@
 /* Figure 9: ink that flows over the pattern; section 7: neighbours; figure 13: a second ink along what was carved. */
+#include <math.h>
 #include <stdlib.h>
 
-#include "components.h"
-#include "distance.h"
 #include "figure.h"
 #include "subject.h"
 
 enum { SIDE = 256 };
 
-/* The share of carved cells that hold both inks: the lesser more than a tenth of the greater. */
+/* The share of inked cells that hold both inks, the lesser more than a tenth of the greater. Leaves wet plus dry
+ * pigment of the two in subject->planes. */
 static double mixed_share(struct subject *subject)
 {
-    const float *depth = subject_depth(subject);
     float *first = subject->planes, *second = first + subject->cells;
     for (int ink = 0; ink < 2; ink++) {
         float *sum = ink == 0 ? first : second;
@@ -21,13 +20,13 @@ static double mixed_share(struct subject *subject)
             sum[i] += dry[i];
         }
     }
-    int64_t carved = 0, mixed = 0;
+    int64_t inked = 0, mixed = 0;
     for (size_t i = 0; i < subject->cells; i++) {
         float more = first[i] > second[i] ? first[i] : second[i], less = first[i] + second[i] - more;
-        carved += depth[i] > 0.1f;
-        mixed += depth[i] > 0.1f && more > 1e-3f && less > 0.1f * more;
+        inked += more > 0.01f;
+        mixed += more > 0.01f && less > 0.1f * more;
     }
-    return carved > 0 ? (double)mixed / (double)carved : 0;
+    return inked > 0 ? (double)mixed / (double)inked : 0;
 }
 
 /* The share of carved cells with pigment of at least a tenth. */
@@ -71,9 +70,8 @@ static int by_size(const void *a, const void *b)
     return (one > other) - (one < other);
 }
 
-/* Median, along the border between two neighbours, of the bare ground between them, cells: rows in which the gap
- * between the right end of the left painting and the left end of the right one is under a quarter of the sheet. */
-static double median_seam(struct subject *subject, const int32_t *labels, int32_t left, int32_t right)
+/* Median, over the rows in which both neighbours stand, of the cells between them where `plane` is at most a tenth. */
+static double median_gap(struct subject *subject, const float *plane)
 {
     double *gaps = calloc((size_t)subject->height, sizeof *gaps);
     if (!gaps) {
@@ -81,14 +79,18 @@ static double median_seam(struct subject *subject, const int32_t *labels, int32_
     }
     size_t count = 0;
     for (int y = 0; y < subject->height; y++) {
-        const int32_t *row = labels + (size_t)y * (size_t)subject->width;
-        int end = -1, begin = -1;
+        const float *row = plane + (size_t)y * (size_t)subject->width;
+        int widest = 0, gap = 0, from = subject->width * 3 / 8, to = subject->width * 5 / 8;
+        bool left = false, right = false;
         for (int x = 0; x < subject->width; x++) {
-            end = row[x] == left ? x : end;
-            begin = row[x] == right && begin < 0 ? x : begin;
+            bool stands = row[x] > 0.1f;
+            left |= stands && x < from;
+            right |= stands && x >= to;
+            gap = stands || x < from || x >= to ? 0 : gap + 1;
+            widest = gap > widest ? gap : widest;
         }
-        if (end >= 0 && begin > end && begin - end - 1 < subject->width / 4) {
-            gaps[count++] = begin - end - 1;
+        if (left && right && widest < (to - from) / 2) {
+            gaps[count++] = widest;
         }
     }
     qsort(gaps, count, sizeof *gaps, by_size);
@@ -99,33 +101,23 @@ static double median_seam(struct subject *subject, const int32_t *labels, int32_
 
 struct neighbours {
     int components;
-    double seam, mixed;
+    double seam;  /* median cells without pattern between the two */
+    double bare;  /* median cells without pigment between the two */
+    double mixed; /* share of inked cells */
 };
 
 static struct neighbours look(struct subject *subject)
 {
-    struct neighbours found = {.mixed = mixed_share(subject)};
-    struct shape_def def = shape_default_def();
-    def.width = subject->width;
-    def.height = subject->height;
-    uint8_t *mask = calloc(subject->cells, 1);
-    int32_t *labels = calloc(subject->cells, sizeof *labels);
-    int specks;
-    if (!mask || !labels || !shape_mask(&def, subject_depth(subject), mask, &found.components, &specks) ||
-        components_label(mask, subject->width, subject->height, labels) < 0) {
-        figure_stop("components", "no memory");
+    struct neighbours found = {.components = subject_measure(subject).components, .mixed = mixed_share(subject)};
+    for (size_t i = 0; i < subject->cells; i++) { /* after mixed_share: the two inks */
+        subject->planes[i] += subject->planes[subject->cells + i];
     }
-    size_t row = (size_t)(subject->height / 2) * (size_t)subject->width;
-    int32_t left = labels[row + (size_t)subject->width * 3 / 10], right = labels[row + (size_t)subject->width * 7 / 10];
-    if (left != right) {
-        found.seam = median_seam(subject, labels, left, right);
-    }
-    free(mask);
-    free(labels);
+    found.bare = median_gap(subject, subject->planes);
+    found.seam = median_gap(subject, subject->depth);
     return found;
 }
 
-static struct neighbours meet(float flood, float amount, struct sheet *sheet, const char *label)
+static struct subject meet(float flood, float amount)
 {
     struct painting_def def = subject_def(SIDE);
     def.coefficients.flood = flood;
@@ -137,28 +129,69 @@ static struct neighbours meet(float flood, float amount, struct sheet *sheet, co
         painting_act(subject.painting, &drop);
     }
     subject_run(&subject, 900);
-    struct neighbours found = look(&subject);
-    subject_show_ink(&subject, sheet, SUBJECT_PLAIN_CMY, "%s\n%d components, seam %.0f, mixed %.2f %%", label,
-                     found.components, found.seam, 100 * found.mixed);
-    subject_finish(&subject);
+    return subject;
+}
+
+static struct neighbours show(struct subject *subject, struct sheet *sheet, const char *label)
+{
+    struct neighbours found = look(subject);
+    subject_show_ink(subject, sheet, SUBJECT_PLAIN_CMY, "%s\n%d components, %.0f cells apart, %.0f bare, %.2f %% mixed",
+                     label, found.components, found.seam, found.bare, 100 * found.mixed);
     return found;
 }
 
 void figure_seam(struct figure *figure)
 {
-    struct sheet *sheet = sheet_create(figure, "Section 7: neighbours", 3, 1, 2 * SIDE);
-    struct neighbours kept = meet(0.0f, 30.0f, sheet, "default");
-    struct neighbours more = meet(0.0f, 300.0f, sheet, "ten times the ink, flood 0");
-    struct neighbours merged = meet(2.0f, 300.0f, sheet, "ten times the ink, flood 2");
+    struct sheet *sheet = sheet_create(figure, "Section 7: neighbours", 4, 1, 3 * SIDE / 2);
+    struct subject subject = meet(0.0f, 30.0f);
+    struct neighbours kept = show(&subject, sheet, "default");
+    struct action drop = subject_drop(0.5f, 0.5f);
+    drop.radius = 16;
+    drop.amount = 60;
+    painting_act(subject.painting, &drop);
+    subject_run(&subject, 260);
+    struct neighbours bridged = show(&subject, sheet, "and a drop on the seam, 260 ticks later");
+    subject_finish(&subject);
+    subject = meet(0.0f, 300.0f);
+    struct neighbours more = show(&subject, sheet, "ten times the ink, flood 0");
+    subject_finish(&subject);
+    subject = meet(2.0f, 300.0f);
+    struct neighbours merged = show(&subject, sheet, "ten times the ink, flood 2");
+    subject_finish(&subject);
     sheet_finish(sheet);
     figure_check(figure, kept.components == 2, "two drops stay two: %d components", kept.components);
-    figure_check(figure, kept.seam >= 7, "median seam %.0f cells, at least 7", kept.seam);
+    figure_check(figure, kept.seam >= 7 && kept.bare >= 7, "median seam %.0f cells, %.0f without colour, at least 7",
+                 kept.seam, kept.bare);
     figure_check(figure, kept.mixed < 0.001, "mixed cells %.3f %%, under .1 %%", 100 * kept.mixed);
-    figure_check(figure, more.components == 2 && more.mixed < 0.001,
-                 "without flood much ink keeps apart too: %d components, %.3f %% mixed", more.components,
+    figure_check(figure, bridged.components == 1 && bridged.mixed > 0.1,
+                 "a drop on the seam joins them: %d components, %.0f %% mixed", bridged.components,
+                 100 * bridged.mixed);
+    figure_check(figure, more.components == 2 && more.bare >= 7 && more.mixed < 0.001,
+                 "without flood much ink keeps apart too: %.0f cells without colour, %.3f %% mixed", more.bare,
                  100 * more.mixed);
-    figure_check(figure, merged.mixed > 0.01, "with flood much ink merges: %.2f %% mixed, over 1 %%",
+    figure_check(figure, merged.bare < 1 && merged.mixed > 0.01,
+                 "with flood much ink merges: %.0f cells without colour, %.2f %% mixed", merged.bare,
                  100 * merged.mixed);
+}
+
+/* The share of the second ink, from the rim of its drop to `reach` cells, that lies where `old` depth was; `far` is how
+ * far it has come. */
+static double share_in(struct subject *subject, const float *old, double reach, double *far)
+{
+    const float *wet = subject_read(subject, PAINTING_WET + 1);
+    double inside = 0, all = 0;
+    for (int y = 0; y < subject->height; y++) {
+        for (int x = 0; x < subject->width; x++) {
+            size_t i = (size_t)y * (size_t)subject->width + (size_t)x;
+            double distance = hypot(x + 0.5 - subject->x, y + 0.5 - subject->y);
+            *far = wet[i] > 0.1f && distance > *far ? distance : *far;
+            if (distance > 12 && distance < reach) {
+                all += (double)wet[i];
+                inside += old[i] > 0.1f ? (double)wet[i] : 0;
+            }
+        }
+    }
+    return all > 0 ? inside / all : 0;
 }
 
 void figure_second(struct figure *figure)
@@ -181,26 +214,18 @@ void figure_second(struct figure *figure)
     drop.ink = 1;
     painting_act(subject.painting, &drop);
     static const int TICKS[3] = {60, 140, 300};
+    double share = 0, far = 0;
     for (int step = 0; step < 3; step++) {
         subject_run(&subject, TICKS[step]);
         subject_show_ink(&subject, sheet, SUBJECT_PLAIN_CMY, "and %d ticks", TICKS[step]);
-        const float *wet = subject_read(&subject, PAINTING_WET + 1);
-        double far = 0, leaked = 0, all = 0;
-        for (int y = 0; y < SIDE; y++) {
-            for (int x = 0; x < SIDE; x++) {
-                size_t i = (size_t)y * SIDE + (size_t)x;
-                double dx = x + 0.5 - subject.x, dy = y + 0.5 - subject.y, squared = dx * dx + dy * dy;
-                far = wet[i] > 0.1f && squared > far ? squared : far;
-                all += (double)wet[i];
-                leaked += old[i] <= 0.1f && squared > 36 * 36 && squared < 0.6 * before.radius * before.radius
-                              ? (double)wet[i]
-                              : 0;
-            }
+        if (step == 1) { /* then it has gone down the branches, and new growth is still near the tips */
+            share = share_in(&subject, old, 0.6 * before.radius, &far);
         }
-        figure_note(figure, "%d: second ink %.0f cells^2 away (first front %.1f), leaked %.4f", TICKS[step], far,
-                    before.radius, leaked / all);
     }
     free(old);
     sheet_finish(sheet);
     subject_finish(&subject);
+    figure_check(figure, far > before.radius, "the second ink has reached %.0f cells, the first pattern %.0f", far,
+                 before.radius);
+    figure_check(figure, share > 0.99, "of the second ink %.2f %% lies in what the first carved", 100 * share);
 }

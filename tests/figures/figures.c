@@ -20,6 +20,11 @@ static const struct figure_group GROUPS[] = {
     {"ink", "figure 9: plain pattern and flowing ink", figure_ink},
     {"seam", "neighbours keep apart, and merge in a flood", figure_seam},
     {"second", "figure 13: a second ink follows what was carved", figure_second},
+    {"session", "figures 1 and 13: a whole session", figure_session},
+    {"extent", "more solvent, larger dendrite", figure_extent},
+    {"mass", "solvent and ink are conserved", figure_mass},
+    {"margin", "growth over the edge of the sheet", figure_margin},
+    {"rest", "a finished painting comes to rest", figure_rest},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };
 
