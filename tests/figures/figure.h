@@ -30,7 +30,7 @@ void figure_second(struct figure *figure);    /* figure 13 */
 void figure_session(struct figure *figure);   /* figure_session.c: figures 1 and 13 */
 void figure_drawing(struct figure *figure);   /* figure_actions.c: figure 10 */
 void figure_guidance(struct figure *figure);  /* figure 11 */
-void figure_mask(struct figure *figure);      /* figure 12 */
+void figure_mask(struct figure *figure);      /* figure_shapes.c: figure 12 */
 void figure_pour(struct figure *figure);      /* figure 14 */
 void figure_edge(struct figure *figure);      /* figure_drop.c: section 6.3.3 */
 void figure_wet(struct figure *figure);       /* section 5.3 */
