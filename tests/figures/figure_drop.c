@@ -31,7 +31,7 @@ static double heart(struct subject *subject, double radius)
 void figure_edge(struct figure *figure)
 {
     static const char *const NAMES[3] = {"hard", "soft", "ragged"};
-    struct sheet *sheet = sheet_create(figure, "Section 6.3.3: the edge of the drop", 3, 2, SIDE);
+    struct sheet *sheet = sheet_create(figure, "Section 6.3.3: the edge of the drop", 2, 3, SIDE);
     double hearts[3], steep[3];
     struct shape_figures shapes[3];
     for (int edge = 0; edge < 3; edge++) {
@@ -52,6 +52,7 @@ void figure_edge(struct figure *figure)
         hearts[edge] = heart(&subject, 8);
         subject_show_depth(&subject, sheet, "%s\nR %.0f, heart %.1f times as deep", NAMES[edge], shapes[edge].radius,
                            hearts[edge]);
+        subject_show_ink(&subject, sheet, SUBJECT_LIT, "%s", NAMES[edge]);
         subject_finish(&subject);
     }
     for (int edge = 0; edge < 3; edge++) {
@@ -91,22 +92,21 @@ void figure_wet(struct figure *figure)
     drop.solvent = 25;
     painting_act(subject.painting, &drop);
     subject_run(&subject, 700);
-    struct sheet *sheet = sheet_create(figure, "Section 5.3: solvent loosens dry ink", 4, 1, SIDE);
+    struct sheet *sheet = sheet_create(figure, "Section 5.3: solvent loosens dry ink", 4, 1, 3 * SIDE / 2);
     painting_act(subject.painting, &dry);
     subject_run(&subject, 128);
     double wet[3], dried[3];
     sum_pigment(&subject, 25, &wet[0], &dried[0]);
-    subject_show_ink(&subject, sheet, SUBJECT_PLAIN_CMY, "dried\nwet %.0f, dry %.0f within 25 cells", wet[0], dried[0]);
-    again.ink = 1;
+    subject_show_ink(&subject, sheet, SUBJECT_LIT, "dried\nwet %.0f, dry %.0f within 25 cells", wet[0], dried[0]);
+    again.ink = 2;
     again.solvent = 60;
     again.amount = 60;
     painting_act(subject.painting, &again);
     for (int step = 1; step < 3; step++) {
         subject_run(&subject, step == 1 ? 128 : 512);
         sum_pigment(&subject, 25, &wet[step], &dried[step]);
-        subject_show_ink(&subject, sheet, SUBJECT_PLAIN_CMY,
-                         "a second, wet drop, %d ticks\nfirst ink: wet %.0f, dry %.0f", step == 1 ? 128 : 640,
-                         wet[step], dried[step]);
+        subject_show_ink(&subject, sheet, SUBJECT_LIT, "a second, wet drop, %d ticks\nfirst ink: wet %.0f, dry %.0f",
+                         step == 1 ? 128 : 640, wet[step], dried[step]);
     }
     subject_finish(&subject);
     figure_check(figure, wet[0] < 0.01 * dried[0], "dry leaves no wet ink: %.1f wet, %.1f dry", wet[0], dried[0]);
@@ -119,7 +119,7 @@ void figure_wet(struct figure *figure)
     subject_run(&subject, 768);
     double wet_alone, dry_alone;
     sum_pigment(&subject, 25, &wet_alone, &dry_alone);
-    subject_show_ink(&subject, sheet, SUBJECT_PLAIN_CMY, "left alone\nwet %.0f, dry %.0f", wet_alone, dry_alone);
+    subject_show_ink(&subject, sheet, SUBJECT_LIT, "left alone\nwet %.0f, dry %.0f", wet_alone, dry_alone);
     figure_check(figure, dry_alone > 0.99 * dried[0], "without solvent it stays dry: %.0f of %.0f", dry_alone,
                  dried[0]);
     subject_finish(&subject);

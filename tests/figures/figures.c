@@ -29,6 +29,8 @@ static const struct figure_group GROUPS[] = {
     {"wet", "solvent loosens dry ink", figure_wet},
     {"extent", "more solvent, larger dendrite", figure_extent},
     {"mass", "solvent and ink are conserved", figure_mass},
+    {"random", "random actions leave sound fields", figure_random},
+    {"brushes", "the six brushes", figure_brushes},
     {"margin", "growth over the edge of the sheet", figure_margin},
     {"rest", "a finished painting comes to rest", figure_rest},
 };
