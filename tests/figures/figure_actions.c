@@ -172,7 +172,6 @@ static void check_sine(struct figure *figure, struct sheet *sheet, float *vector
     guide(&subject, vectors, 2);
     for (int i = 0; i < 3; i++) {
         struct action drop = subject_drop(0.06f, 0.2f + 0.3f * (float)i);
-        drop.radius = 5;
         painting_act(subject.painting, &drop);
     }
     subject_run(&subject, 850);
