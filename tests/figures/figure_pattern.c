@@ -120,8 +120,10 @@ void figure_reaction(struct figure *figure)
         figure_check(figure, fast > 3 * slow,
                      "beta_y %.2f: beta_a 1.5 grows more than three times as far as .75: %.1f, %.1f", (double)BETA[i],
                      fast, slow);
-        snprintf(text, sizeof text, "beta_a %.2f: width with beta_y", (double)BETA[i]);
-        ORDER(text, false, mean_width, shapes[0][i], shapes[1][i], shapes[2][i]);
+        if (i > 0) { /* at .75 too little stands outside the heart to measure its width */
+            snprintf(text, sizeof text, "beta_a %.2f: width with beta_y", (double)BETA[i]);
+            ORDER(text, false, mean_width, shapes[0][i], shapes[1][i], shapes[2][i]);
+        }
         snprintf(text, sizeof text, "beta_a %.2f: perimeter per cell with beta_y", (double)BETA[i]);
         ORDER(text, true, perimeter_per_cell, shapes[0][i], shapes[1][i], shapes[2][i]);
     }

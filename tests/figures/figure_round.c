@@ -16,7 +16,7 @@ static struct roundness measure(struct figure *figure, enum stencil stencil, con
     for (uint32_t seed = 1; seed <= SEEDS; seed++) {
         struct painting_def def = subject_def(SIDE);
         def.seed = seed;
-        def.coefficients.stencil = stencil;
+        def.coefficients.stencil = (int)stencil;
         struct subject subject = subject_create(&def);
         struct action drop = subject_drop((MIDDLE + 0.5f) / SIDE, (MIDDLE + 0.5f) / SIDE);
         painting_act(subject.painting, &drop);
