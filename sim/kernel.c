@@ -123,6 +123,7 @@ static inline void fluid_step(const struct fluid_row *row, size_t stride)
         float drag_f = solvent_open[x] * gamma, drag_g = ink_open[x] * gamma;
         float fu = f_x + drag_f * (g_x - f_x), fv = f_y + drag_f * (g_y - f_y);
         float gu = g_x + drag_g * (f_x - g_x), gv = g_y + drag_g * (f_y - g_y);
+        float carry_u = gu, carry_v = gv;
         CLAMP(fu, -0.35f, 0.35f)
         CLAMP(fv, -0.35f, 0.35f)
         CLAMP(gu, -0.35f, 0.35f)
@@ -138,14 +139,15 @@ static inline void fluid_step(const struct fluid_row *row, size_t stride)
         flow_moved[x] = ink_moved;
         changed[x] |= (solvent_moved + ink_moved) > 0.0f;
         density[x] = f_rho;
-        /* Departure: pigment travels with flux over density; by eq. 14 alone it stays in the drop. */
+        /* Departure: pigment travels with flux over density; by eq. 14 alone it stays in the drop. The flux is the whole
+         * one: by the capped one, colour stays behind where ink is plenty. */
         float inverse = 1.0f / (g_rho > 0.02f ? g_rho : 0.02f);
-        gu *= inverse;
-        gv *= inverse;
-        CLAMP(gu, -1.0f, 1.0f)
-        CLAMP(gv, -1.0f, 1.0f)
-        flow_u[x] = gu;
-        flow_v[x] = gv;
+        carry_u *= inverse;
+        carry_v *= inverse;
+        CLAMP(carry_u, -1.0f, 1.0f)
+        CLAMP(carry_v, -1.0f, 1.0f)
+        flow_u[x] = carry_u;
+        flow_v[x] = carry_v;
     }
 }
 

@@ -211,11 +211,20 @@ size_t painting_bytes(const struct painting *painting)
     return painting->bytes;
 }
 
+void painting_stir(struct painting *painting)
+{
+    int count = painting->tiles.columns * painting->tiles.rows;
+    for (int i = 0; painting->quiet_periods >= CALM_PERIODS && i < count; i++) {
+        painting->tiles.flags[TILE_FLOWS][i] |= painting->tiles.flags[TILE_WET][i];
+    }
+    painting->quiet_periods = 0;
+}
+
 void painting_touch(struct painting *painting, int x0, int x1, int y0, int y1)
 {
     static const enum tile_flag WAKES[] = {TILE_FLOWS, TILE_OPENED, TILE_GROWS, TILE_FED, TILE_CARVED, TILE_DAMP};
     for (size_t i = 0; i < sizeof WAKES / sizeof WAKES[0]; i++) {
         tiles_mark(&painting->tiles, WAKES[i], x0, x1, y0, y1);
     }
-    painting->quiet_periods = 0;
+    painting_stir(painting);
 }

@@ -177,6 +177,17 @@ static void note_tiles(struct fluid_pass *pass, int ty)
     memset(fed, 0, (size_t)width * sizeof *fed);
 }
 
+/* What crosses a link is rounded to multiples of 2^-13. In a channel of a few cells a ripple of that size can run to
+ * and fro for ever. Once the painting has long been quiet the band widens, four times every eight periods up to 2^-7: a
+ * ripple of one step of a band is nothing in the next. A tile that sleeps in a narrow band sleeps in a wider one;
+ * painting_stir wakes those that slept in a wider one only. */
+static float dead_band(const struct painting *painting)
+{
+    int wider = painting->quiet_periods / 8 + 1 - CALM_PERIODS / 8;
+    wider = wider < 0 ? 0 : wider > 3 ? 3 : wider;
+    return 1.5f * 8388608.0f / (float)(8192 >> (2 * wider));
+}
+
 static void sweep_run(void *context, int piece, int member)
 {
     struct fluid_pass pass = *(struct fluid_pass *)context;
@@ -190,7 +201,7 @@ static void sweep_run(void *context, int piece, int member)
     pass.kernel.omega = coefficients->omega;
     pass.kernel.inverse_mu = 1.0f / coefficients->mu;
     pass.kernel.gamma = coefficients->gamma;
-    pass.kernel.round = 1.5f * 8388608.0f / 8192.0f; /* q = 2^-13 */
+    pass.kernel.round = dead_band(painting);
     int top = pass.run->y0 - pass.steps, bottom = pass.run->y1 + pass.steps;
     int first = top < 0 ? 0 : top, end = bottom > painting->height ? painting->height : bottom;
     for (int s = first; s < bottom; s++) {

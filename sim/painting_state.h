@@ -66,7 +66,10 @@ struct painting {
     int64_t carved;    /* cells */
 };
 
-enum { UPKEEP_TICKS = 64 };
+enum {
+    UPKEEP_TICKS = 64,
+    CALM_PERIODS = 24, /* quiet periods after which liquid has to move more to move at all: see painting_fluid.c */
+};
 
 /* First cell of a row of a field. */
 static inline float *fluid_row(const struct painting *painting, int y)
@@ -128,6 +131,9 @@ void painting_upkeep(struct painting *painting);
 
 /* Tiles and derived state that a change of cells [x0, x1) x [y0, y1) touches: everything there wakes. */
 void painting_touch(struct painting *painting, int x0, int x1, int y0, int y1);
+
+/* The painting is no longer quiet; liquid that was calm is looked at again. */
+void painting_stir(struct painting *painting);
 
 /* Maps from the coefficients of now, everywhere; forgets all stamps. */
 void painting_fill_maps(struct painting *painting);

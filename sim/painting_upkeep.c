@@ -122,7 +122,7 @@ static void find_settled(struct painting *painting)
     int64_t grown = carved - painting->carved;
     painting->carved = carved;
     if (grown * QUIET_SHARE >= carved && carved > 0) {
-        painting->quiet_periods = 0;
+        painting_stir(painting);
         return;
     }
     painting->quiet_periods++;
