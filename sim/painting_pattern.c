@@ -88,27 +88,33 @@ static void load_row(struct pattern_pass *pass, int y)
     }
 }
 
-static void prefetch(const float *row, int count)
+static void prefetch(const void *cells, size_t bytes)
 {
-    for (int x = 0; x < count; x += 16) {
-        __builtin_prefetch(row + x, 1, 2);
+    for (size_t at = 0; at < bytes; at += 64) {
+        __builtin_prefetch((const char *)cells + at, 1, 2);
     }
 }
 
+/* Asks for a share of the row that comes in next: its fields and what its rates are made of. */
 static void prefetch_next(const struct pattern_pass *pass, int y, int step)
 {
+    enum { MAP_FIRST = PATTERN_FIELDS + 1, PARTS = MAP_FIRST + MAPS + 1 };
+    const struct painting *painting = pass->painting;
     if (y >= pass->run->y1 || y < pass->run->y0) {
         return;
     }
-    int width = pass->run->x1 - pass->run->x0;
-    if (step <= PATTERN_FIELDS) {
-        prefetch(pattern_row(pass->painting, y) + (step - 1) * pass->painting->stride + pass->run->x0, width);
-    } else if (step == PATTERN_FIELDS + 1) {
-        prefetch(solvent_row(pass->painting, y) + pass->run->x0, width);
-    } else if (step - PATTERN_FIELDS - 2 < MAPS) {
-        prefetch((const float *)(const void *)(map_row(pass->painting, (enum map)(step - PATTERN_FIELDS - 2), y) +
-                                               pass->run->x0),
-                 width / 2);
+    int x = pass->run->x0;
+    size_t cells = (size_t)(pass->run->x1 - x);
+    for (int part = (step - 1) * PARTS / pass->steps; part < step * PARTS / pass->steps; part++) {
+        if (part < PATTERN_FIELDS) {
+            prefetch(pattern_row(painting, y) + part * painting->stride + x, cells * sizeof(float));
+        } else if (part < MAP_FIRST) {
+            prefetch(solvent_row(painting, y) + x, cells * sizeof(float));
+        } else if (part < MAP_FIRST + MAPS) {
+            prefetch(map_row(painting, (enum map)(part - MAP_FIRST), y) + x, cells * sizeof(uint16_t));
+        } else {
+            prefetch(weight_row(painting, y) + x, cells);
+        }
     }
 }
 

@@ -11,8 +11,8 @@
 #include "painting.h"
 
 /* A change of the model changes these. Look at the contact sheets, then set them anew from what the test prints. */
-#define GOLDEN_ONE_DROP 0xb0ead2d34d5d12c8u
-#define GOLDEN_BUSY     0x08de131165099ddfu
+#define GOLDEN_ONE_DROP 0x82830d99530877f2u
+#define GOLDEN_BUSY     0xf7b9cd475c3a8accu
 
 static struct action drop_at(float x, float y, int ink)
 {
