@@ -87,8 +87,8 @@ static int take_option(struct order *order, int option)
     return -1;
 }
 
-/* Reads the command line; -1 when there is work to do. */
-static int read_order(int argc, char *argv[], struct order *order)
+/* Reads the command line. False when that was all, with the exit status. */
+static bool read_order(int argc, char *argv[], struct order *order, int *status)
 {
     static const struct option options[] = {
         {"output", required_argument, NULL, 'o'},      {"size", required_argument, NULL, SIZE},
@@ -102,34 +102,33 @@ static int read_order(int argc, char *argv[], struct order *order)
     while ((option = getopt_long(argc, argv, ":o:h", options, NULL)) != -1) {
         if (option == HELP_ASKED || option == 'h') {
             fputs(HELP, stdout);
-            return EXIT_STATUS_GOOD;
+            *status = EXIT_STATUS_GOOD;
+            return false;
         }
-        if (option == '?' || option == ':') {
-            return option_usage("render", option, argv);
-        }
-        int status = take_option(order, option);
-        if (status >= 0) {
-            return status;
+        *status = option == '?' || option == ':' ? option_usage("render", option, argv) : take_option(order, option);
+        if (*status >= 0) {
+            return false;
         }
     }
+    *status = EXIT_STATUS_USAGE;
     if (optind + 1 != argc) {
         fprintf(stderr, "frond render: %s; see frond render --help\n",
                 optind < argc ? "one script at a time" : "no script is given");
-        return EXIT_STATUS_USAGE;
+        return false;
     }
     if (!order->def.picture) {
         fprintf(stderr, "frond render: no picture is asked for: -o FILE.png; see frond render --help\n");
-        return EXIT_STATUS_USAGE;
+        return false;
     }
     order->script = argv[optind];
-    return -1;
+    return true;
 }
 
 int command_render(int argc, char *argv[])
 {
     struct order order = {.def = render_default_def(), .seed = -1, .ticks = -1};
-    int status = read_order(argc, argv, &order);
-    if (status >= 0) {
+    int status;
+    if (!read_order(argc, argv, &order, &status)) {
         return status;
     }
     struct script_def def = script_default_def();

@@ -59,8 +59,8 @@ static int inside(int i, int count)
 static bool fit(const struct script_picture *picture, int channel, int width, int height, double *plane)
 {
     int longest = picture->width > picture->height ? picture->width : picture->height;
-    double *narrow = malloc((size_t)width * (size_t)picture->height * sizeof *narrow);
-    double *weights = malloc(((size_t)longest * 2 + 4) * sizeof *weights);
+    double *narrow = calloc((size_t)width * (size_t)picture->height, sizeof *narrow);
+    double *weights = calloc((size_t)longest * 2 + 4, sizeof *weights);
     bool good = narrow && weights;
     int count = 0;
     for (int x = 0; good && x < width; x++) {
@@ -149,8 +149,8 @@ bool raster_from_picture(const struct script_picture *picture, enum raster_kind 
 {
     size_t cells = (size_t)width * (size_t)height;
     int longest = width > height ? width : height;
-    double *plane = malloc(cells * sizeof *plane);
-    double *spare = malloc((size_t)longest * sizeof *spare);
+    double *plane = calloc(cells, sizeof *plane);
+    double *spare = calloc((size_t)longest, sizeof *spare);
     bool vectors = kind == RASTER_VECTORS;
     bool good = plane && spare && fit(picture, vectors ? 0 : -1, width, height, plane);
     if (good && (kind == RASTER_TOWARDS_DARK || kind == RASTER_ALONG_EDGES)) {

@@ -53,8 +53,9 @@ static int open_picture(const char *path, const char **format, struct file_error
     }
     struct stat about;
     char start[IMAGE_FORMAT_BYTES];
-    ssize_t size = 0;
-    if (fstat(fd, &about) != 0) {
+    bool known = fstat(fd, &about) == 0;
+    ssize_t size = known && S_ISREG(about.st_mode) ? pread(fd, start, sizeof start, 0) : 0;
+    if (!known || size < 0) {
         file_fail_code(error, path, errno);
     } else if (S_ISDIR(about.st_mode)) {
         file_fail_code(error, path, EISDIR);
@@ -64,8 +65,6 @@ static int open_picture(const char *path, const char **format, struct file_error
         file_fail(error, path, "is empty");
     } else if (about.st_size > (off_t)FILE_MEGABYTES << 20) {
         file_fail(error, path, "is a file of %lld MB: at most %d MB", (long long)about.st_size >> 20, FILE_MEGABYTES);
-    } else if ((size = pread(fd, start, sizeof start, 0)) < 0) {
-        file_fail_code(error, path, errno);
     } else if (!(*format = image_format(start, (size_t)size))) {
         file_fail(error, path, "not a picture that Frond reads (PNG, JPEG, TIFF, EXR, WebP)");
     } else {
@@ -238,17 +237,20 @@ static bool size_is_legal(const char *path, int width, int height, struct file_e
     return true;
 }
 
-/* Takes `parts` pieces of `size` bytes each to the helper. `request` starts with "write", format, NULL, NULL, NULL:
- * width, height and seconds are filled in here. */
-static bool send(const char *path, const char *request[], const void *const *parts, int count, size_t size, int width,
-                 int height, const struct image_def *def, struct file_error *error)
+/* Takes `count` parts of `size` bytes each to the helper; `names` has as many, or is NULL. */
+static bool send(const char *path, const char *format, const char *const *names, const void *const *parts, int count,
+                 size_t size, int width, int height, const struct image_def *def, struct file_error *error)
 {
     struct image_def own = within_range(def);
     char numbers[3][NUMBER];
     int values[3] = {width, height, own.write_seconds};
+    const char *request[5 + IMAGE_CHANNELS_MAX + 1] = {"write", format};
     for (int i = 0; i < 3; i++) {
         snprintf(numbers[i], NUMBER, "%d", values[i]);
         request[2 + i] = numbers[i];
+    }
+    for (int i = 0; names && i < count; i++) {
+        request[5 + i] = names[i];
     }
     int input = make_memory(path, error);
     bool sent = input >= 0;
@@ -270,9 +272,8 @@ bool image_write_png(const char *path, const uint8_t *rgb, int width, int height
     if (!size_is_legal(path, width, height, error)) {
         return false;
     }
-    const char *request[] = {"write", "png", NULL, NULL, NULL, NULL};
     const void *parts[] = {rgb};
-    return send(path, request, parts, 1, (size_t)width * (size_t)height * 3, width, height, def, error);
+    return send(path, "png", NULL, parts, 1, (size_t)width * (size_t)height * 3, width, height, def, error);
 }
 
 static bool names_are_legal(const char *path, const char *const names[], int channels, struct file_error *error)
@@ -301,12 +302,10 @@ bool image_write_exr(const char *path, const char *const names[], const float *c
     if (!size_is_legal(path, width, height, error) || !names_are_legal(path, names, channels, error)) {
         return false;
     }
-    const char *request[5 + IMAGE_CHANNELS_MAX + 1] = {"write", "openexr"};
     const void *parts[IMAGE_CHANNELS_MAX];
     for (int c = 0; c < channels; c++) {
-        request[5 + c] = names[c];
         parts[c] = planes[c];
     }
-    return send(path, request, parts, channels, (size_t)width * (size_t)height * sizeof(float), width, height, def,
-                error);
+    return send(path, "openexr", names, parts, channels, (size_t)width * (size_t)height * sizeof(float), width, height,
+                def, error);
 }

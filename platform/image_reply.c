@@ -12,8 +12,10 @@ static void copy_text(char *to, const char *from, size_t size)
 {
     size_t i = 0;
     for (; i + 1 < size && from[i]; i++) {
-        unsigned char c = (unsigned char)from[i];
-        to[i] = c < 0x20 || c > 0x7e ? '?' : from[i];
+        to[i] = from[i];
+        if (from[i] < 0x20 || from[i] > 0x7e) {
+            to[i] = '?';
+        }
     }
     to[i] = '\0';
 }

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -56,10 +57,11 @@ struct image_sandbox_def image_sandbox_default_def(void)
 static rlim_t mapped_bytes(void)
 {
     FILE *file = fopen("/proc/self/statm", "re");
+    char line[128];
     unsigned long pages = 0;
     if (file) {
-        if (fscanf(file, "%lu", &pages) != 1) {
-            pages = 0;
+        if (fgets(line, sizeof line, file)) {
+            pages = strtoul(line, NULL, 10); /* the first number: size of the whole program, proc(5) */
         }
         fclose(file);
     }

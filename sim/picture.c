@@ -1,9 +1,9 @@
 #include "picture.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 
 #include "picture_work.h"
+#include "team.h"
 
 struct picture_def picture_default_def(void)
 {
@@ -107,7 +107,8 @@ struct picture *picture_create(const struct picture_def *def)
         return NULL;
     }
     picture->pool = calloc(share_out(picture), sizeof *picture->pool);
-    if (!picture->pool) {
+    picture->team = team_create(def->threads);
+    if (!picture->pool || !picture->team) {
         picture_destroy(picture);
         return NULL;
     }
@@ -127,6 +128,7 @@ void picture_destroy(struct picture *picture)
     if (!picture) {
         return;
     }
+    team_destroy(picture->team);
     for (int i = 0; i < 2; i++) {
         resample_finish(&picture->across[i]);
         resample_finish(&picture->down[i]);
@@ -137,50 +139,25 @@ void picture_destroy(struct picture *picture)
     free(picture);
 }
 
-/* Rows handed out in bands to whoever is free. Each row is made the same way whoever makes it. */
-struct crew {
+/* Rows handed out in bands. Each row is made the same way whichever member makes it. */
+struct shift {
+    struct picture *picture;
     void (*work)(struct picture_worker *worker, int y0, int y1);
     int rows, band;
-    atomic_int next;
 };
 
-struct crew_member {
-    struct crew *crew;
-    struct picture_worker *worker;
-};
-
-static void *labour(void *argument)
+static void do_band(void *context, int piece, int member)
 {
-    struct crew_member *member = argument;
-    struct crew *crew = member->crew;
-    for (;;) {
-        int y0 = atomic_fetch_add(&crew->next, crew->band);
-        if (y0 >= crew->rows) {
-            return NULL;
-        }
-        int y1 = y0 + crew->band < crew->rows ? y0 + crew->band : crew->rows;
-        crew->work(member->worker, y0, y1);
-    }
+    const struct shift *shift = context;
+    int y0 = piece * shift->band;
+    int y1 = y0 + shift->band < shift->rows ? y0 + shift->band : shift->rows;
+    shift->work(&shift->picture->workers[member], y0, y1);
 }
 
-/* A thread that cannot be had is done without: the others take its rows. */
 static void share_work(struct picture *picture, void (*work)(struct picture_worker *, int, int), int rows, int band)
 {
-    struct crew crew = {.work = work, .rows = rows, .band = band};
-    struct crew_member members[PICTURE_THREADS_MAX];
-    pthread_t threads[PICTURE_THREADS_MAX];
-    int started = 1;
-    atomic_init(&crew.next, 0);
-    for (int i = 0; i < picture->def.threads; i++) {
-        members[i] = (struct crew_member){&crew, &picture->workers[i]};
-    }
-    while (started < picture->def.threads && pthread_create(&threads[started], NULL, labour, &members[started]) == 0) {
-        started++;
-    }
-    labour(&members[0]);
-    for (int i = 1; i < started; i++) {
-        pthread_join(threads[i], NULL);
-    }
+    struct shift shift = {.picture = picture, .work = work, .rows = rows, .band = band};
+    team_run(picture->team, do_band, &shift, (rows + band - 1) / band);
 }
 
 void picture_draw(struct picture *picture, const struct picture_planes *planes, uint8_t *rgb)

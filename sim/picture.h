@@ -44,8 +44,8 @@ struct picture_planes {
 
 struct picture;
 
-/* NULL when memory is short or a size, an ink or the number of threads is out of range. About 48 bytes a cell, half a
- * KiB a column of pixels and thread. */
+/* NULL when memory is short, a thread cannot be had, or a size, an ink or the number of threads is out of range. About
+ * 48 bytes a cell, half a KiB a column of pixels and thread. Its threads sleep between pictures. */
 struct picture *picture_create(const struct picture_def *def);
 void picture_destroy(struct picture *picture); /* takes NULL */
 /* Writes width * height * 3 bytes, red green blue, from the top left. */

@@ -28,6 +28,8 @@ enum {
     BLUR_RADIUS_MAX = 16,
 };
 
+struct team;
+
 struct blur { /* symmetric taps: centre, then each side */
     int radius;
     float taps[BLUR_RADIUS_MAX + 1];
@@ -51,10 +53,11 @@ struct picture {
     struct blur wide, narrow, broad;    /* 4, 0.8 and 5 cells */
     int ring_rows;
     float *own[LAYERS]; /* planes of cells owned here; LAYER_WET and LAYER_MASK belong to the caller */
-    float *blur_wide, *blur_narrow, *blur_broad; /* blurred across, not yet down */
-    float *pool;                                 /* all of the above and of the workers */
-    float srgb[SRGB_STEPS];                      /* 8-bit value of (i / (SRGB_STEPS - 1)) squared, not rounded */
-    struct picture_worker workers[PICTURE_THREADS_MAX];
+    float *blur_wide, *blur_narrow, *blur_broad;        /* blurred across, not yet down */
+    float *pool;                                        /* all of the above and of the workers */
+    float srgb[SRGB_STEPS];                             /* 8-bit value of (i / (SRGB_STEPS - 1)) squared, not rounded */
+    struct team *team;                                  /* def.threads members */
+    struct picture_worker workers[PICTURE_THREADS_MAX]; /* one for each member */
 
     /* Of the picture being drawn. */
     struct picture_planes planes;

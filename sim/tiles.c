@@ -57,9 +57,10 @@ void tiles_mark(struct tiles *tiles, enum tile_flag flag, int x0, int x1, int y0
     if (x0 >= x1) {
         return;
     }
+    size_t first = (size_t)x0 / TILE;
+    size_t count = ((size_t)x1 - 1) / TILE - first + 1;
     for (int ty = y0 / TILE; ty * TILE < y1; ty++) {
-        memset(tiles->flags[flag] + (size_t)ty * (size_t)tiles->columns + x0 / TILE, 1,
-               (size_t)((x1 - 1) / TILE - x0 / TILE + 1));
+        memset(tiles->flags[flag] + (size_t)ty * (size_t)tiles->columns + first, 1, count);
     }
 }
 
