@@ -29,7 +29,7 @@ struct action_raster {
 enum action_verb {
     ACTION_DROP,          /* ink and solvent fall on the sheet and start to grow */
     ACTION_BRUSH_SOLVENT, /* solvent along a stroke; starts no growth by itself */
-    ACTION_BRUSH_INK,     /* ink along a stroke; flows where there is pattern */
+    ACTION_BRUSH_INK,     /* ink along a stroke, on carved ground */
     ACTION_DRAW,          /* a dry line of ink that does not grow (figure 10) */
     ACTION_GUIDE,         /* writes the guidance field (eq. 16) */
     ACTION_POUR,          /* fresh catalyst over a disc (figure 14) */

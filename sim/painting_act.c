@@ -131,10 +131,17 @@ static void act_brush_solvent(const struct region *region, int x, int y)
     }
 }
 
+static bool is_carved(const struct painting *painting, int x, int y)
+{
+    return *pattern(painting, PATTERN_ACTIVE, x, y) + *pattern(painting, PATTERN_CARVED, x, y) > 0.1f;
+}
+
+/* Bare ground takes no ink from a brush: it would stay there as a web between the branches. */
 static void act_brush_ink(const struct region *region, int x, int y)
 {
-    if (region_holds(region, x, y) && !obstacle_row(region->painting, y)[x]) {
-        add_ink(region->painting, x, y, region->action->ink, region->action->amount);
+    const struct painting *painting = region->painting;
+    if (region_holds(region, x, y) && !obstacle_row(painting, y)[x] && is_carved(painting, x, y)) {
+        add_ink(painting, x, y, region->action->ink, region->action->amount);
     }
 }
 
@@ -233,7 +240,7 @@ static void act_wet(const struct region *region, int x, int y)
     if (!region_holds(region, x, y) || obstacle_row(painting, y)[x]) {
         return;
     }
-    if (*pattern(painting, PATTERN_ACTIVE, x, y) + *pattern(painting, PATTERN_CARVED, x, y) > 0.1f) {
+    if (is_carved(painting, x, y)) {
         add_solvent(painting, x, y, region->action->solvent);
     }
     for (int ink = 0; ink < INKS; ink++) {

@@ -168,6 +168,21 @@ static void a_stroke_lays_down_once_however_often_it_turns(void **state)
     painting_destroy(sheet.painting);
 }
 
+static void bare_ground_takes_no_ink_from_a_brush(void **state)
+{
+    (void)state;
+    struct sheet sheet = sheet_make();
+    struct action drop = in_the_middle(ACTION_DROP, 8), stroke = across(ACTION_BRUSH_INK, 2);
+    drop.amount = 0;
+    painting_act(sheet.painting, &drop);
+    stroke.amount = 5;
+    painting_act(sheet.painting, &stroke);
+    read(&sheet, PAINTING_INK);
+    assert_near(at(&sheet, 32, 32), 5, 1e-5);
+    assert_near(at(&sheet, 20, 32), 0, 0);
+    painting_destroy(sheet.painting);
+}
+
 static void a_line_may_be_respected_or_run_over(void **state)
 {
     (void)state;
@@ -414,6 +429,7 @@ int main(void)
         cmocka_unit_test(a_ragged_drop_starts_from_a_torn_seed),
         cmocka_unit_test(inks_blend_by_mass),
         cmocka_unit_test(a_stroke_lays_down_once_however_often_it_turns),
+        cmocka_unit_test(bare_ground_takes_no_ink_from_a_brush),
         cmocka_unit_test(a_line_may_be_respected_or_run_over),
         cmocka_unit_test(a_mask_keeps_growth_out_until_it_is_taken_away),
         cmocka_unit_test(an_inverted_mask_leaves_a_window),
