@@ -139,9 +139,9 @@ static inline void fluid_step(const struct fluid_row *row, size_t stride)
         flow_moved[x] = ink_moved;
         changed[x] |= (solvent_moved + ink_moved) > 0.0f;
         density[x] = f_rho;
-        /* Departure: pigment travels with flux over density; by eq. 14 alone it stays in the drop. The flux is the whole
-         * one, since by the capped one colour stays behind where ink is plenty; it goes a cell at the most, and where it
-         * would go further it keeps its direction. */
+        /* Departure: pigment travels with flux over density; by eq. 14 alone it stays in the drop. The flux is the
+         * whole one, since by the capped one colour stays behind where ink is plenty; it goes a cell at the most, and
+         * where it would go further it keeps its direction. */
         float most = g_rho > 0.02f ? g_rho : 0.02f, size_u = fabsf(carry_u), size_v = fabsf(carry_v);
         most = most > size_u ? most : size_u;
         most = most > size_v ? most : size_v;
