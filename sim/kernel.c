@@ -39,12 +39,12 @@ static inline uint32_t bits_of(float value)
 
 /* One link of eq. 11 in flux form: what crosses, t, is antisymmetric in its two ends, so mass is conserved to rounding.
  * t is rounded to multiples of q (departure: a dead band that lets liquid come to rest). */
-#define LINK(h, from, back, row, shift, gate_row, gate, gate_shift, first, first_gate)                                 \
+#define LINK(h, come, back, row, shift, gate_row, gate, gate_shift, first, first_gate)                                 \
     float h;                                                                                                           \
     {                                                                                                                  \
-        float bounced = here[((first) + (back)) * RING + x];                                                           \
+        float bounced = here[((first) + (back)) * from + x];                                                           \
         float t = gate_row[((first_gate) + (gate)) * RING + x + (gate_shift)] *                                        \
-                  (row[((first) + (from)) * RING + x + (shift)] - bounced);                                            \
+                  (row[((first) + (come)) * from + x + (shift)] - bounced);                                            \
         t = (t + round) - round;                                                                                       \
         crossed |= bits_of(t);                                                                                         \
         h = bounced + t;                                                                                               \
@@ -52,7 +52,7 @@ static inline uint32_t bits_of(float value)
 
 /* Streaming of one fluid (eq. 8, 11): populations h##0..8, density h##_rho, momentum h##_x, h##_y. */
 #define STREAM(h, first, gates)                                                                                        \
-    float h##0 = here[(first)*RING + x];                                                                               \
+    float h##0 = here[(first)*from + x];                                                                               \
     LINK(h##1, 1, 3, here, -1, gates_here, GATE_LEFT, 0, first, gates)                                                 \
     LINK(h##2, 2, 4, above, 0, gates_here, GATE_UP, 0, first, gates)                                                   \
     LINK(h##3, 3, 1, here, 1, gates_here, GATE_LEFT, 1, first, gates)                                                  \
@@ -70,7 +70,7 @@ static inline uint32_t bits_of(float value)
     value = value < (least) ? (least) : value;
 
 /* A cell that nothing entered or left keeps its populations to the bit. */
-#define STORE(field, value) out[(size_t)(field)*stride + (size_t)x] = moved > 0.0f ? (value) : here[(field)*RING + x];
+#define STORE(field, value) out[(field)*to + x] = moved > 0.0f ? (value) : here[(field)*from + x];
 
 #define PAIR(h, i, j, rest, even_psi, odd_psi, along, first)                                                           \
     {                                                                                                                  \
@@ -98,8 +98,9 @@ static inline uint32_t bits_of(float value)
 
 /* One LBM step of both fluids, coupled (eq. 7-12).
  * Departures: velocity is momentum over the mean density, as eq. 9 wants and eq. 7 does not; it is capped at 0.35 a
- * component; the two momenta of this same step are coupled symmetrically, so that what one gains the other loses. */
-static inline void fluid_step(const struct fluid_row *row, size_t stride)
+ * component; the two momenta of this same step are coupled symmetrically, so that what one gains the other loses.
+ * `from` and `to`: floats from field to field, of the rows read and of the row written. */
+static inline void fluid_step(const struct fluid_row *row, ptrdiff_t from, ptrdiff_t to)
 {
     const float *restrict above = row->above, *restrict here = row->here, *restrict below = row->below;
     const float *restrict gates_here = row->gates_here, *restrict gates_below = row->gates_below;
@@ -153,15 +154,20 @@ static inline void fluid_step(const struct fluid_row *row, size_t stride)
     }
 }
 
-/* Into a ring; and the last step of a tick, back into the painting. */
+/* From ring to ring; the first step of a tick, out of the painting; the last, back into it. */
 static void fluid(const struct fluid_row *row)
 {
-    fluid_step(row, RING);
+    fluid_step(row, RING, RING);
+}
+
+static void fluid_first(const struct fluid_row *row)
+{
+    fluid_step(row, row->stride, RING);
 }
 
 static void fluid_last(const struct fluid_row *row)
 {
-    fluid_step(row, row->stride);
+    fluid_step(row, RING, row->stride);
 }
 
 /* Openness of the two fluids: 1 - kappa with kappa_s = rho_y (section 4.2), and for the ink 4 (rho_a + rho_p - 0.1),
@@ -214,29 +220,29 @@ static void gates(const struct gates_row *row)
 #define CHOOSE(where, row, shift) ((where) > 0.0f ? (row)[x - (shift)] : (row)[x + (shift)])
 #define CARRY(n)                                                                                                       \
     {                                                                                                                  \
-        const float *restrict p_up = wet_above + (n)*RING, *restrict p_own = wet_here + (n)*RING,                      \
-                              *restrict p_down = wet_below + (n)*RING;                                                 \
+        const float *restrict p_up = wet_above + (n)*from, *restrict p_own = wet_here + (n)*from,                      \
+                              *restrict p_down = wet_below + (n)*from;                                                 \
         float left = v > 0.0f ? p_up[x - 1] : p_down[x - 1], right = v > 0.0f ? p_up[x + 1] : p_down[x + 1];           \
         float old = p_own[x], far = v > 0.0f ? p_up[x] : p_down[x], corner = u > 0.0f ? left : right;                  \
         float p = (w_own * old + w_side * CHOOSE(u, p_own, 1)) + (w_far * far + w_corner * corner);                    \
         p = p * inverse;                                                                                               \
         p = p > 1e-6f ? p : 0.0f;                                                                                      \
-        wet_out[(size_t)(n)*stride + (size_t)x] = sum > 1e-4f ? p : old;                                               \
+        wet_out[(n)*to + x] = sum > 1e-4f ? p : old;                                                                   \
     }
 
 /* Semi-Lagrangian advection of the wet pigment (eq. 14). The departure point is within a cell, so the four cells of the
  * bilinear fetch are the cell, one beside it, one above or below it, and the corner; each counts by its openness, so
  * colour never crosses a boundary. */
-static inline void pigment_step(const struct fluid_row *row, size_t stride)
+static inline void pigment_step(const struct fluid_row *row, ptrdiff_t from, ptrdiff_t to)
 {
-    const float *restrict wet_above = row->above + FLUID_WET * RING, *restrict wet_here = row->here + FLUID_WET * RING,
-                          *restrict wet_below = row->below + FLUID_WET * RING;
+    const float *restrict wet_above = row->above + FLUID_WET * from, *restrict wet_here = row->here + FLUID_WET * from,
+                          *restrict wet_below = row->below + FLUID_WET * from;
     const float *restrict open_up = row->gates_above + OPEN_INK * RING,
                           *restrict open_own = row->gates_here + OPEN_INK * RING,
                           *restrict open_down = row->gates_below + OPEN_INK * RING;
     const float *restrict flow_u = row->flow + FLOW_U * RING, *restrict flow_v = row->flow + FLOW_V * RING,
                           *restrict flow_moved = row->flow + FLOW_MOVED * RING;
-    float *restrict wet_out = row->out + FLUID_WET * stride;
+    float *restrict wet_out = row->out + FLUID_WET * to;
     const int begin = row->begin, end = row->end;
     FOR_CELLS(x, begin, end)
     {
@@ -261,12 +267,17 @@ static inline void pigment_step(const struct fluid_row *row, size_t stride)
 
 static void pigment(const struct fluid_row *row)
 {
-    pigment_step(row, RING);
+    pigment_step(row, RING, RING);
+}
+
+static void pigment_first(const struct fluid_row *row)
+{
+    pigment_step(row, row->stride, RING);
 }
 
 static void pigment_last(const struct fluid_row *row)
 {
-    pigment_step(row, row->stride);
+    pigment_step(row, RING, row->stride);
 }
 
 /* Coefficients of a row for the pattern steps of one tick: xi alpha_a behind the Heaviside of eq. 2, and the growth of
@@ -463,6 +474,8 @@ const struct kernels KERNELS = {
     .gates = gates,
     .fluid = fluid,
     .pigment = pigment,
+    .fluid_first = fluid_first,
+    .pigment_first = pigment_first,
     .fluid_last = fluid_last,
     .pigment_last = pigment_last,
     .rates = rates,

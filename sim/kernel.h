@@ -55,8 +55,8 @@ struct fluid_row {
     int begin, end;
     const float *above, *here, *below;                   /* [FLUID_FIELDS][RING] */
     const float *gates_above, *gates_here, *gates_below; /* [GATE_FIELDS][RING]; below: the links to the row below */
-    float *out; /* [FLUID_FIELDS][RING]; of the last step, [FLUID_FIELDS][stride] of the painting itself */
-    size_t stride;
+    float *out;       /* [FLUID_FIELDS][RING]; of the last step, [FLUID_FIELDS][stride] of the painting itself */
+    ptrdiff_t stride; /* of the painting: fluid_first reads, fluid_last writes rows that far apart */
     float *flow;      /* [FLOW_FIELDS][RING] */
     int32_t *changed; /* |= 1 where a population crossed a link */
     float omega, inverse_mu, gamma;
@@ -109,6 +109,8 @@ struct kernels {
     void (*gates)(const struct gates_row *);
     void (*fluid)(const struct fluid_row *);
     void (*pigment)(const struct fluid_row *);
+    void (*fluid_first)(const struct fluid_row *);
+    void (*pigment_first)(const struct fluid_row *);
     void (*fluid_last)(const struct fluid_row *);
     void (*pigment_last)(const struct fluid_row *);
     void (*rates)(const struct rates_row *);

@@ -124,6 +124,15 @@ static void prefetch_next(const struct fluid_pass *pass, int y, int step)
     }
 }
 
+/* Whether the first step may read row y and its neighbours where they lie, without a copy: they are the run's own, no
+ * other run writes beside them, and the last step is far enough behind not to have overwritten them. */
+static bool reads_in_place(const struct fluid_pass *pass, int y)
+{
+    const struct run *run = pass->run;
+    return pass->steps >= 3 && y > run->y0 && y < run->y1 - 1 && !run->guarded[SIDE_LEFT] &&
+           !run->guarded[SIDE_RIGHT] && !(pass->painting->def.coefficients.flood > 0.0f);
+}
+
 static void compute_row(struct fluid_pass *pass, int step, int y)
 {
     struct painting *painting = pass->painting;
@@ -141,6 +150,14 @@ static void compute_row(struct fluid_pass *pass, int step, int y)
     kernel->end =
         last && pass->run->x1 < painting->width ? pass->run->x1 - pass->span.from : pass->span.to - pass->span.from;
     kernel->changed = inside ? changed_row(pass, y / TILE) : pass->rows->unheard + RING_LEAD;
+    if (step == 1 && reads_in_place(pass, y)) {
+        kernel->above = fluid_row(painting, y - 1) + pass->span.from;
+        kernel->here = fluid_row(painting, y) + pass->span.from;
+        kernel->below = fluid_row(painting, y + 1) + pass->span.from;
+        painting->kernels->fluid_first(kernel);
+        painting->kernels->pigment_first(kernel);
+        return;
+    }
     if (!last) {
         painting->kernels->fluid(kernel);
         painting->kernels->pigment(kernel);
@@ -197,7 +214,7 @@ static void sweep_run(void *context, int piece, int member)
     pass.rows = &painting->rows[member];
     pass.span = run_span(painting, pass.run);
     pass.kernel.flow = pass.rows->flow + RING_LEAD;
-    pass.kernel.stride = (size_t)painting->stride;
+    pass.kernel.stride = painting->stride;
     pass.kernel.omega = coefficients->omega;
     pass.kernel.inverse_mu = 1.0f / coefficients->mu;
     pass.kernel.gamma = coefficients->gamma;
@@ -206,7 +223,9 @@ static void sweep_run(void *context, int piece, int member)
     int first = top < 0 ? 0 : top, end = bottom > painting->height ? painting->height : bottom;
     for (int s = first; s < bottom; s++) {
         if (s < end) {
-            halo_load(painting, &pass.layout, pass.run, s, level_row(&pass, 0, s));
+            if (!reads_in_place(&pass, s - 1) || !reads_in_place(&pass, s) || !reads_in_place(&pass, s + 1)) {
+                halo_load(painting, &pass.layout, pass.run, s, level_row(&pass, 0, s));
+            }
             make_open(&pass, s);
         }
         make_gates(&pass, s);
