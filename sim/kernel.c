@@ -100,7 +100,7 @@ static inline uint32_t bits_of(float value)
  * Departures: velocity is momentum over the mean density, as eq. 9 wants and eq. 7 does not; it is capped at 0.35 a
  * component; the two momenta of this same step are coupled symmetrically, so that what one gains the other loses.
  * `from` and `to`: floats from field to field, of the rows read and of the row written. */
-static inline void fluid_step(const struct fluid_row *row, ptrdiff_t from, ptrdiff_t to)
+__attribute__((always_inline)) static inline void fluid_step(const struct fluid_row *row, ptrdiff_t from, ptrdiff_t to)
 {
     const float *restrict above = row->above, *restrict here = row->here, *restrict below = row->below;
     const float *restrict gates_here = row->gates_here, *restrict gates_below = row->gates_below;
@@ -233,7 +233,8 @@ static void gates(const struct gates_row *row)
 /* Semi-Lagrangian advection of the wet pigment (eq. 14). The departure point is within a cell, so the four cells of the
  * bilinear fetch are the cell, one beside it, one above or below it, and the corner; each counts by its openness, so
  * colour never crosses a boundary. */
-static inline void pigment_step(const struct fluid_row *row, ptrdiff_t from, ptrdiff_t to)
+__attribute__((always_inline)) static inline void pigment_step(const struct fluid_row *row, ptrdiff_t from,
+                                                               ptrdiff_t to)
 {
     const float *restrict wet_above = row->above + FLUID_WET * from, *restrict wet_here = row->here + FLUID_WET * from,
                           *restrict wet_below = row->below + FLUID_WET * from;
