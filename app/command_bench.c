@@ -36,7 +36,7 @@ static void print_json(const struct bench *bench)
     }
     json_object_object_add(object, "bench", json_object_new_string(bench->name));
     json_object_object_add(object, "figures", figures);
-    puts(json_object_to_json_string_ext(object, JSON_C_TO_STRING_PLAIN));
+    puts(json_object_to_json_string_ext(object, JSON_C_TO_STRING_PLAIN | JSON_C_TO_STRING_NOSLASHESCAPE));
     json_object_put(object);
 }
 
