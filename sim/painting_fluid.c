@@ -243,24 +243,11 @@ static void sweep_run(void *context, int piece, int member)
     }
 }
 
-static void save_run(void *context, int piece, int member)
-{
-    const struct fluid_pass *pass = context;
-    (void)member;
-    halo_save(pass->painting, &pass->layout, &pass->painting->tiles.runs[piece]);
-}
-
 void painting_flow(struct painting *painting)
 {
     struct fluid_pass pass = {.painting = painting, .steps = painting->def.coefficients.fluid_steps};
     pass.steps = pass.steps > STEPS_MOST ? STEPS_MOST : pass.steps;
     pass.layout = (struct halo_layout){painting->fluid, FLUID_FIELDS, pass.steps};
-    tiles_wake(&painting->tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, painting->def.dense);
-    painting->effort.fluid_awake = painting->tiles.awake_count;
-    if (!halo_place(painting, &pass.layout)) {
-        tiles_wake(&painting->tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, true);
-        halo_place(painting, &pass.layout);
-    }
-    team_run(painting->team, save_run, &pass, painting->tiles.run_count);
-    team_run(painting->team, sweep_run, &pass, painting->tiles.run_count);
+    struct sweep sweep = {pass.layout, TILE_FLOWS, TILE_OPENED, TILE_WET, sweep_run, &pass};
+    painting->effort.fluid_awake = halo_sweep(painting, &sweep);
 }

@@ -45,7 +45,8 @@ size_t halo_need(const struct painting *painting, const struct halo_layout *layo
     return need;
 }
 
-bool halo_place(struct painting *painting, const struct halo_layout *layout)
+/* Gives each run its place; false when there is not enough room. */
+static bool place(struct painting *painting, const struct halo_layout *layout)
 {
     size_t at = 0;
     for (int i = 0; i < painting->tiles.run_count; i++) {
@@ -65,7 +66,7 @@ static void copy(float *to, const float *from, int count)
     memcpy(to, from, (size_t)count * sizeof *to);
 }
 
-void halo_save(const struct painting *painting, const struct halo_layout *layout, const struct run *run)
+static void save(const struct painting *painting, const struct halo_layout *layout, const struct run *run)
 {
     struct halo_shape shape = shape_of(painting, layout, run);
     struct span span = run_span(painting, run);
@@ -133,4 +134,31 @@ void halo_load(const struct painting *painting, const struct halo_layout *layout
     for (int field = 0; field < layout->fields; field++, ring += RING, from += apart) {
         copy(ring, from, width);
     }
+}
+
+struct saving {
+    const struct painting *painting;
+    const struct halo_layout *layout;
+};
+
+static void save_run(void *context, int piece, int member)
+{
+    const struct saving *saving = context;
+    (void)member;
+    save(saving->painting, saving->layout, &saving->painting->tiles.runs[piece]);
+}
+
+int halo_sweep(struct painting *painting, const struct sweep *sweep)
+{
+    struct tiles *tiles = &painting->tiles;
+    tiles_wake(tiles, sweep->moves, sweep->cause, sweep->able, painting->def.dense);
+    int awake = tiles->awake_count;
+    if (!place(painting, &sweep->layout)) { /* too many small runs: the few large ones of a dense sheet always fit */
+        tiles_wake(tiles, sweep->moves, sweep->cause, sweep->able, true);
+        place(painting, &sweep->layout);
+    }
+    struct saving saving = {painting, &sweep->layout};
+    team_run(painting->team, save_run, &saving, tiles->run_count);
+    team_run(painting->team, sweep->work, sweep->context, tiles->run_count);
+    return awake;
 }

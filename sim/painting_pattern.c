@@ -220,24 +220,11 @@ static void sweep_run(void *context, int piece, int member)
     }
 }
 
-static void save_run(void *context, int piece, int member)
-{
-    const struct pattern_pass *pass = context;
-    (void)member;
-    halo_save(pass->painting, &pass->layout, &pass->painting->tiles.runs[piece]);
-}
-
 void painting_grow(struct painting *painting)
 {
     struct pattern_pass pass = {.painting = painting, .steps = painting->def.coefficients.pattern_steps};
     pass.steps = pass.steps > STEPS_MOST ? STEPS_MOST : pass.steps;
     pass.layout = (struct halo_layout){painting->pattern, PATTERN_FIELDS, pass.steps};
-    tiles_wake(&painting->tiles, TILE_GROWS, TILE_FED, TILE_ALIVE, painting->def.dense);
-    painting->effort.pattern_awake = painting->tiles.awake_count;
-    if (!halo_place(painting, &pass.layout)) {
-        tiles_wake(&painting->tiles, TILE_GROWS, TILE_FED, TILE_ALIVE, true);
-        halo_place(painting, &pass.layout);
-    }
-    team_run(painting->team, save_run, &pass, painting->tiles.run_count);
-    team_run(painting->team, sweep_run, &pass, painting->tiles.run_count);
+    struct sweep sweep = {pass.layout, TILE_GROWS, TILE_FED, TILE_ALIVE, sweep_run, &pass};
+    painting->effort.pattern_awake = halo_sweep(painting, &sweep);
 }

@@ -146,14 +146,22 @@ struct halo_layout {
     float *base;
     int fields, levels;
 };
-/* Gives each run its place; false when there is not enough room, and then the runs must be made dense. */
-bool halo_place(struct painting *painting, const struct halo_layout *layout);
-void halo_save(const struct painting *painting, const struct halo_layout *layout, const struct run *run);
 /* Row y of a run and its halo, as it was before the sweep, into a ring row [fields][RING] whose first cell is
  * span.from. */
 void halo_load(const struct painting *painting, const struct halo_layout *layout, const struct run *run, int y,
                float *ring);
 /* Floats that the halos of the present runs take. */
 size_t halo_need(const struct painting *painting, const struct halo_layout *layout);
+
+/* One layer's tick: wakes tiles as tiles_wake does, saves the halos of the runs that cover them, then works on each
+ * run. */
+struct sweep {
+    struct halo_layout layout;
+    enum tile_flag moves, cause, able;
+    team_work *work; /* a piece is a run */
+    void *context;
+};
+/* Returns the tiles that were awake. */
+int halo_sweep(struct painting *painting, const struct sweep *sweep);
 
 #endif
