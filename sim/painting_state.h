@@ -20,10 +20,10 @@ enum obstacle { OBSTACLE_MASK = 1, OBSTACLE_LINE = 2 };
 
 /* Scratch of one thread. */
 struct bench_rows {
-    float *fluid;           /* [LEVELS][3][FLUID_FIELDS][RING] */
+    float *fluid;           /* [FLUID_LEVELS][3][FLUID_FIELDS][RING] */
     float *gates;           /* [GATE_ROWS][GATE_FIELDS][RING] */
     float *open;            /* [2][2][RING], openness of solvent and ink, of the last two rows */
-    float *pattern;         /* [LEVELS][3][PATTERN_RING_FIELDS][RING] */
+    float *pattern;         /* [PATTERN_LEVELS][3][PATTERN_RING_FIELDS][RING] */
     float *rates;           /* [RATE_ROWS][RATE_FIELDS][RING] */
     float *flow;            /* [FLOW_FIELDS][RING]; the pattern's sums */
     float *closed;          /* [2][RING] of CLOSED: beyond the sheet */
