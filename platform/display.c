@@ -1,0 +1,282 @@
+#include "display.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <GLES3/gl31.h>
+
+#include "display_source.h"
+
+static const char *const KINDS[DISPLAY_KINDS] = {"auto", "kms", "window", "headless"};
+
+struct display_def display_default_def(void)
+{
+    return (struct display_def){.kind = DISPLAY_AUTO, .robust = true};
+}
+
+const char *display_kind_name(enum display_kind kind)
+{
+    return KINDS[kind];
+}
+
+bool display_fail(struct display_error *error, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error->text, sizeof error->text, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+uint64_t display_now_us(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000u + (uint64_t)now.tv_nsec / 1000u;
+}
+
+void display_post(struct display *display, struct event event)
+{
+    if (display->count == DISPLAY_EVENTS) {
+        display->first = (display->first + 1) % DISPLAY_EVENTS;
+        display->count--;
+    }
+    display->events[(display->first + display->count) % DISPLAY_EVENTS] = event;
+    display->count++;
+}
+
+bool display_event(struct display *display, struct event *event)
+{
+    if (display->count == 0) {
+        return false;
+    }
+    *event = display->events[display->first];
+    display->first = (display->first + 1) % DISPLAY_EVENTS;
+    display->count--;
+    return true;
+}
+
+static bool is_desktop(void)
+{
+    const char *wayland = getenv("WAYLAND_DISPLAY"), *x11 = getenv("DISPLAY");
+    return (wayland && *wayland) || (x11 && *x11);
+}
+
+/* On a desktop a window, since another program is master of the screen there; else the screen; else memory. */
+static void choose(const struct display_def *def, const struct display_source *sources[3], const char *why[3])
+{
+    static const struct display_source *const ALL[] = {&display_kms, &display_window, &display_headless};
+    for (size_t i = 0; i < sizeof ALL / sizeof ALL[0]; i++) {
+        if (def->kind == ALL[i]->kind) {
+            sources[0] = ALL[i];
+            why[0] = "asked for";
+            return;
+        }
+    }
+    int count = 0;
+    if (is_desktop()) {
+        sources[count] = &display_window;
+        why[count++] = "a desktop is running";
+    }
+    sources[count] = &display_kms;
+    why[count++] = "no desktop is running";
+    sources[count] = &display_headless;
+    why[count++] = "neither a desktop nor a screen of the board can be had";
+}
+
+static struct display *try_source(const struct display_def *def, const struct display_source *source, const char *why,
+                                  struct display_error *error)
+{
+    struct display *display = calloc(1, sizeof *display);
+    if (!display) {
+        display_fail(error, "memory is short");
+        return NULL;
+    }
+    display->def = *def;
+    display->source = source;
+    display->egl.display = EGL_NO_DISPLAY;
+    display->egl.context = EGL_NO_CONTEXT;
+    display->egl.surface = EGL_NO_SURFACE;
+    snprintf(display->why, sizeof display->why, "%s", why);
+    if (!source->create(display, error)) {
+        display_destroy(display);
+        return NULL;
+    }
+    return display;
+}
+
+static bool valid(const struct display_def *def, struct display_error *error)
+{
+    if (def->width < 0 || def->width > DISPLAY_SIZE_MAX || def->height < 0 || def->height > DISPLAY_SIZE_MAX) {
+        return display_fail(error, "a display of %dx%d: 0..%d pixels a side are allowed", def->width, def->height,
+                            DISPLAY_SIZE_MAX);
+    }
+    if (def->rotation % 90 != 0 || def->rotation < 0 || def->rotation > 270) {
+        return display_fail(error, "a display turned by %d degrees: 0, 90, 180 or 270 are allowed", def->rotation);
+    }
+    return true;
+}
+
+struct display *display_create(const struct display_def *def, struct display_error *error)
+{
+    const struct display_source *sources[3] = {NULL, NULL, NULL};
+    const char *why[3] = {"", "", ""};
+    char reasons[sizeof error->text] = "";
+    size_t used = 0;
+    if (!valid(def, error)) {
+        return NULL;
+    }
+    choose(def, sources, why);
+    for (int i = 0; i < 3 && sources[i]; i++) {
+        struct display *display = try_source(def, sources[i], why[i], error);
+        if (display) {
+            return display;
+        }
+        int wrote = snprintf(reasons + used, sizeof reasons - used, "%s%s", used ? "; " : "", error->text);
+        used += wrote > 0 ? (size_t)wrote : 0;
+        used = used < sizeof reasons ? used : sizeof reasons - 1;
+    }
+    snprintf(error->text, sizeof error->text, "%s", reasons);
+    return NULL;
+}
+
+void display_destroy(struct display *display)
+{
+    if (display) {
+        display->source->destroy(display);
+        free(display);
+    }
+}
+
+enum display_kind display_kind(const struct display *display)
+{
+    return display->source->kind;
+}
+
+enum display_state display_state(const struct display *display)
+{
+    return display->state;
+}
+
+const char *display_describe(const struct display *display)
+{
+    struct display *mine = (struct display *)display;
+    snprintf(mine->text, sizeof mine->text, "%s%s%s, %dx%d%s; %s", KINDS[display->source->kind],
+             display->note[0] ? ": " : "", display->note, display->panel.width, display->panel.height,
+             display->def.rotation == 90    ? ", turned by 90 degrees"
+             : display->def.rotation == 180 ? ", turned by 180 degrees"
+             : display->def.rotation == 270 ? ", turned by 270 degrees"
+                                            : "",
+             display->why);
+    return display->text;
+}
+
+struct display_size display_panel(const struct display *display)
+{
+    return display->panel;
+}
+
+struct display_size display_sheet(const struct display *display)
+{
+    struct display_size panel = display->panel;
+    return display->def.rotation % 180 == 0 ? panel : (struct display_size){panel.height, panel.width};
+}
+
+/* Clockwise on the panel: what points up on the sheet points right at 90 degrees. */
+void display_turn(const struct display *display, float turn[4])
+{
+    static const float COSINE[4] = {1, 0, -1, 0}, SINE[4] = {0, 1, 0, -1};
+    float c = COSINE[display->def.rotation / 90], s = SINE[display->def.rotation / 90];
+    turn[0] = c;
+    turn[1] = -s;
+    turn[2] = s;
+    turn[3] = c;
+}
+
+void display_untouch(const struct display *display, float *x, float *y)
+{
+    float across = *x, down = *y;
+    switch (display->def.rotation) {
+    case 90:
+        *x = down;
+        *y = 1 - across;
+        break;
+    case 180:
+        *x = 1 - across;
+        *y = 1 - down;
+        break;
+    case 270:
+        *x = 1 - down;
+        *y = across;
+        break;
+    default:
+        break;
+    }
+}
+
+void display_wait(struct display *display, int timeout_ms)
+{
+    display->source->wait(display, display->count > 0 || display->closed ? 0 : timeout_ms);
+}
+
+bool display_closed(const struct display *display)
+{
+    return display->closed;
+}
+
+bool display_begin(struct display *display)
+{
+    return display->state == DISPLAY_SHOWN && !display->lost && display_egl_enter(&display->egl) &&
+           display->source->begin(display);
+}
+
+void display_end(struct display *display)
+{
+    display->source->end(display);
+}
+
+unsigned display_framebuffer(const struct display *display)
+{
+    return display->framebuffer;
+}
+
+void display_power(struct display *display, bool on)
+{
+    if (display->source->power) {
+        display->source->power(display, on);
+    }
+}
+
+struct display_frames display_frames(const struct display *display)
+{
+    return display->frames;
+}
+
+/* GL_EXT_robustness */
+typedef GLenum GL_APIENTRY reset_status(void);
+
+bool display_lost(struct display *display)
+{
+    if (!display->lost && display->egl.robust && display_egl_enter(&display->egl)) {
+        reset_status *status = (reset_status *)(void (*)(void))eglGetProcAddress("glGetGraphicsResetStatusEXT");
+        display->lost = status && status() != GL_NO_ERROR;
+    }
+    return display->lost;
+}
+
+void display_inject_reset(struct display *display)
+{
+    display->lost = true;
+}
+
+bool display_renew(struct display *display, struct display_error *error)
+{
+    if (!display->source->renew(display, error)) {
+        return false;
+    }
+    display->lost = false;
+    return true;
+}

@@ -1,0 +1,49 @@
+/* What a source of display has to offer display.c; private to platform/display*.c. */
+#ifndef FROND_DISPLAY_SOURCE_H
+#define FROND_DISPLAY_SOURCE_H
+
+#include "display.h"
+#include "display_egl.h"
+
+enum { DISPLAY_EVENTS = 256 };
+
+struct display;
+
+struct display_source {
+    enum display_kind kind;
+    /* Fills source_state, egl, panel, state, note. */
+    bool (*create)(struct display *display, struct display_error *error);
+    void (*destroy)(struct display *display);
+    void (*wait)(struct display *display, int timeout_ms);
+    bool (*begin)(struct display *display); /* the context is current */
+    void (*end)(struct display *display);
+    void (*power)(struct display *display, bool on); /* NULL: no such thing */
+    bool (*renew)(struct display *display, struct display_error *error);
+};
+
+struct display {
+    struct display_def def;
+    const struct display_source *source;
+    void *own; /* the source's */
+    struct display_egl egl;
+    enum display_state state;
+    struct display_size panel;
+    struct display_frames frames;
+    unsigned framebuffer;
+    bool closed, lost;
+    char why[100];                       /* why this source was taken */
+    char note[160];                      /* what the source says of itself */
+    char text[300];                      /* display_describe */
+    struct event events[DISPLAY_EVENTS]; /* a ring */
+    unsigned first, count;
+};
+
+/* NULL in a build without it. */
+extern const struct display_source display_kms, display_window, display_headless;
+
+bool display_fail(struct display_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Dropped, the oldest first, when nobody asks for them. */
+void display_post(struct display *display, struct event event);
+uint64_t display_now_us(void); /* CLOCK_MONOTONIC */
+
+#endif

@@ -1,0 +1,246 @@
+#include "program.h"
+
+#include <dirent.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <GLES3/gl31.h>
+
+enum { INCLUDES_MOST = 32, SOURCE_MOST = 1 << 20 };
+
+/* Integers and floats whole: 16 bits of precision are not enough for any field. */
+static const char PREAMBLE[] = "#version 310 es\n"
+                               "precision highp float;\n"
+                               "precision highp int;\n"
+                               "precision highp sampler2D;\n"
+                               "precision highp sampler2DArray;\n"
+                               "precision highp usampler2D;\n"
+                               "precision highp image2D;\n"
+                               "precision highp image2DArray;\n";
+
+bool shader_fail(struct shader_error *error, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error->text, sizeof error->text, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+struct text {
+    char *bytes;
+    size_t length, size;
+    bool short_of_memory;
+};
+
+static void append(struct text *text, const char *bytes, size_t count)
+{
+    if (text->length + count + 1 > text->size) {
+        size_t size = 2 * (text->length + count + 1);
+        char *larger = realloc(text->bytes, size);
+        if (!larger) {
+            text->short_of_memory = true;
+            return;
+        }
+        text->bytes = larger;
+        text->size = size;
+    }
+    memcpy(text->bytes + text->length, bytes, count);
+    text->length += count;
+    text->bytes[text->length] = '\0';
+}
+
+static char *read_file(const char *folder, const char *name)
+{
+    char path[1024];
+    int length = snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = length > 0 && (size_t)length < sizeof path ? fopen(path, "rb") : NULL;
+    char *bytes = file ? malloc(SOURCE_MOST + 1) : NULL;
+    size_t count = bytes ? fread(bytes, 1, SOURCE_MOST, file) : 0;
+    if (file) {
+        fclose(file);
+    }
+    if (bytes) {
+        bytes[count] = '\0';
+    }
+    return bytes;
+}
+
+static char *copy_embedded(const char *name)
+{
+    for (const struct shader_source *source = shader_sources; source->name; source++) {
+        if (strcmp(source->name, name) == 0) {
+            return strdup(source->text);
+        }
+    }
+    return NULL;
+}
+
+long long shader_folder_stamp(const struct shader_folder *folder)
+{
+    DIR *directory = folder && folder->path ? opendir(folder->path) : NULL;
+    long long newest = 0;
+    for (struct dirent *entry; directory && (entry = readdir(directory));) {
+        char path[1300];
+        struct stat status;
+        snprintf(path, sizeof path, "%s/%s", folder->path, entry->d_name);
+        if (entry->d_name[0] != '.' && stat(path, &status) == 0) {
+            long long time = (long long)status.st_mtim.tv_sec * 1000000000 + status.st_mtim.tv_nsec;
+            newest = time > newest ? time : newest;
+        }
+    }
+    if (directory) {
+        closedir(directory);
+    }
+    return newest;
+}
+
+struct assembly {
+    const struct shader_folder *folder;
+    struct text text;
+    char included[INCLUDES_MOST][64]; /* the number of a file in #line is its place here */
+    int count;
+    struct shader_error *error;
+};
+
+static bool add_source(struct assembly *assembly, const char *name, const char *from);
+
+/* `#include "NAME"`: the name, or false. */
+static bool parse_include(const char *line, char name[64])
+{
+    return sscanf(line, " # include \"%63[^\"]\"", name) == 1;
+}
+
+static bool add_lines(struct assembly *assembly, const char *source, int number)
+{
+    int line = 1;
+    char mark[32], name[64];
+    for (const char *at = source; *at; line++) {
+        const char *end = strchr(at, '\n');
+        size_t length = end ? (size_t)(end - at) + 1 : strlen(at);
+        if (!parse_include(at, name)) {
+            append(&assembly->text, at, length);
+        } else if (!add_source(assembly, name, assembly->included[number])) {
+            return false;
+        } else {
+            snprintf(mark, sizeof mark, "#line %d %d\n", line + 1, number);
+            append(&assembly->text, mark, strlen(mark));
+        }
+        at += length;
+    }
+    append(&assembly->text, "\n", 1);
+    return true;
+}
+
+static bool add_source(struct assembly *assembly, const char *name, const char *from)
+{
+    char mark[32];
+    for (int i = 0; i < assembly->count; i++) {
+        if (strcmp(assembly->included[i], name) == 0) {
+            return true;
+        }
+    }
+    if (assembly->count == INCLUDES_MOST || strlen(name) >= sizeof assembly->included[0]) {
+        return shader_fail(assembly->error, "%s: too many includes, or too long a name", name);
+    }
+    char *source =
+        assembly->folder && assembly->folder->path ? read_file(assembly->folder->path, name) : copy_embedded(name);
+    if (!source) {
+        return shader_fail(assembly->error, "%s: no such shader source%s%s", name, from ? ", included by " : "",
+                           from ? from : "");
+    }
+    int number = assembly->count++;
+    snprintf(assembly->included[number], sizeof assembly->included[number], "%s", name);
+    snprintf(mark, sizeof mark, "#line 1 %d\n", number);
+    append(&assembly->text, mark, strlen(mark));
+    bool good = add_lines(assembly, source, number);
+    free(source);
+    return good;
+}
+
+char *shader_text(const struct shader_folder *folder, const char *name, const char *defines, struct shader_error *error)
+{
+    struct assembly assembly = {.folder = folder, .error = error};
+    append(&assembly.text, PREAMBLE, strlen(PREAMBLE));
+    if (defines) {
+        append(&assembly.text, defines, strlen(defines));
+        append(&assembly.text, "\n", 1);
+    }
+    bool good = add_source(&assembly, name, NULL);
+    if (good && assembly.text.short_of_memory) {
+        good = shader_fail(error, "%s: memory is short", name);
+    }
+    if (!good) {
+        free(assembly.text.bytes);
+        return NULL;
+    }
+    return assembly.text.bytes;
+}
+
+static GLuint compile(GLenum type, const struct shader_folder *folder, const char *name, const char *defines,
+                      struct shader_error *error)
+{
+    char *text = shader_text(folder, name, defines, error);
+    if (!text) {
+        return 0;
+    }
+    GLuint shader = glCreateShader(type);
+    GLint good = GL_FALSE;
+    char log[800] = "";
+    const char *parts[1] = {text};
+    glShaderSource(shader, 1, parts, NULL);
+    glCompileShader(shader);
+    free(text);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+    if (!good) {
+        glGetShaderInfoLog(shader, sizeof log, NULL, log);
+        shader_fail(error, "%s: %s", name, log);
+        glDeleteShader(shader);
+        return 0;
+    }
+    return shader;
+}
+
+static unsigned link_stages(GLuint first, GLuint second, const char *name, struct shader_error *error)
+{
+    GLuint program = glCreateProgram();
+    GLint good = GL_FALSE;
+    char log[800] = "";
+    glAttachShader(program, first);
+    if (second) {
+        glAttachShader(program, second);
+    }
+    glLinkProgram(program);
+    glDeleteShader(first);
+    glDeleteShader(second);
+    glGetProgramiv(program, GL_LINK_STATUS, &good);
+    if (!good) {
+        glGetProgramInfoLog(program, sizeof log, NULL, log);
+        shader_fail(error, "%s: %s", name, log);
+        glDeleteProgram(program);
+        return 0;
+    }
+    return program;
+}
+
+unsigned program_compute(const struct shader_folder *folder, const char *name, const char *defines,
+                         struct shader_error *error)
+{
+    GLuint shader = compile(GL_COMPUTE_SHADER, folder, name, defines, error);
+    return shader ? link_stages(shader, 0, name, error) : 0;
+}
+
+unsigned program_draw(const struct shader_folder *folder, const char *vertex, const char *fragment, const char *defines,
+                      struct shader_error *error)
+{
+    GLuint first = compile(GL_VERTEX_SHADER, folder, vertex, defines, error);
+    GLuint second = first ? compile(GL_FRAGMENT_SHADER, folder, fragment, defines, error) : 0;
+    if (!second) {
+        glDeleteShader(first);
+        return 0;
+    }
+    return link_stages(first, second, fragment, error);
+}
