@@ -178,10 +178,12 @@ static void measure(struct engine_choice *choice, const struct painting_def *def
 static void explain(struct engine_choice *choice, const char *trouble)
 {
     if (choice->gpu_ms > 0) {
-        snprintf(choice->why, sizeof choice->why, "engine %s: a busy tick takes %.1f ms on the CPU, %.1f ms on the GPU%s",
-                 KINDS[choice->kind], choice->cpu_ms, choice->gpu_ms, choice->remembered ? " (remembered)" : "");
+        snprintf(choice->why, sizeof choice->why,
+                 "engine %s: a busy tick takes %.1f ms on the CPU, %.1f ms on the GPU%s", KINDS[choice->kind],
+                 choice->cpu_ms, choice->gpu_ms, choice->remembered ? " (remembered)" : "");
     } else {
-        snprintf(choice->why, sizeof choice->why, "engine cpu: the GPU has none%s%.150s", *trouble ? ": " : "", trouble);
+        snprintf(choice->why, sizeof choice->why, "engine cpu: the GPU has none%s%.150s", *trouble ? ": " : "",
+                 trouble);
     }
 }
 

@@ -17,10 +17,10 @@ const char *engine_kind_name(enum engine_kind kind);
 enum engine_kind engine_kind_find(const char *name);
 
 struct engine_choice {
-    enum engine_kind kind;  /* CPU or GPU */
-    double cpu_ms, gpu_ms;  /* of a busy tick; 0: not measured, or not to be had */
+    enum engine_kind kind; /* CPU or GPU */
+    double cpu_ms, gpu_ms; /* of a busy tick; 0: not measured, or not to be had */
     bool remembered;
-    char why[300];          /* one line for the log */
+    char why[300]; /* one line for the log */
 };
 
 /* With ENGINE_AUTO measures both, in under two seconds, in the current GL context (`renderer`: its name; NULL: there is

@@ -15,6 +15,7 @@
 #include "image.h"
 #include "limits.h"
 #include "live_picture.h"
+#include "script_sheet.h"
 #include "studio.h"
 
 enum {
@@ -186,8 +187,9 @@ static void say_totals(struct live *live)
 {
     struct studio_report report = studio_report(live->studio);
     struct display_frames frames = display_frames(live->display);
-    say("%llu frames presented, %llu vertical blanks missed, %lld ticks of %.1f ms", (unsigned long long)frames.presented,
-        (unsigned long long)frames.missed, (long long)report.ticks, report.tick_ms);
+    say("%llu frames presented, %llu vertical blanks missed, %lld ticks of %.1f ms",
+        (unsigned long long)frames.presented, (unsigned long long)frames.missed, (long long)report.ticks,
+        report.tick_ms);
 }
 
 static bool write_shot(const struct live *live)
@@ -229,12 +231,8 @@ static bool open_studio(struct live *live)
     char path[1200];
     struct studio_def def = studio_default_def();
     struct studio_error error;
-    struct painting_def painting = painting_default_def();
+    struct painting_def painting = script_painting(live->script);
     const struct shader_folder *folder = live->folder.path ? &live->folder : NULL;
-    painting.width = live->script->width;
-    painting.height = live->script->height;
-    painting.margin = live->script->margin;
-    painting.coefficients = live->script->coefficients;
     struct engine_choice choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
                                                 engine_choice_path(path, sizeof path) ? path : NULL);
     say("%s", choice.why);

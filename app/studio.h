@@ -1,6 +1,6 @@
-/* The studio: a thread of its own in which a painting is made, tick by tick, by one of the engines. The display's thread
- * posts actions and takes pictures; it never waits here, and a late tick only means that the last picture is shown
- * again.
+/* The studio: a thread of its own in which a painting is made, tick by tick, by one of the engines. The display's
+ * thread posts actions and takes pictures; it never waits here, and a late tick only means that the last picture is
+ * shown again.
  *
  * A studio goes through three kinds of trouble without losing the painting: a lost GPU (the engine of the GPU is made
  * again from a rolling checkpoint, and the actions since are done again), another grid (the governor), and nobody
@@ -25,13 +25,13 @@ enum {
 };
 
 struct studio_def {
-    const struct script *script;         /* what is painted; its canvas, seed and coefficients */
-    enum engine_kind engine;             /* CPU or GPU; choose first (engine_choice.h) */
-    const struct shader_folder *folder;  /* NULL: embedded shaders */
-    double ticks_per_second;             /* wanted; 0: as fast as they come */
-    int threads;                         /* of the CPU engine; 0: one for each processor */
-    bool xray;                           /* publish the layers as well */
-    bool once;                           /* stop after the script's last tick; else rest, clear and begin again */
+    const struct script *script;        /* what is painted; its canvas, seed and coefficients */
+    enum engine_kind engine;            /* CPU or GPU; choose first (engine_choice.h) */
+    const struct shader_folder *folder; /* NULL: embedded shaders */
+    double ticks_per_second;            /* wanted; 0: as fast as they come */
+    int threads;                        /* of the CPU engine; 0: one for each processor */
+    bool xray;                          /* publish the layers as well */
+    bool once;                          /* stop after the script's last tick; else rest, clear and begin again */
 };
 
 struct studio_def studio_default_def(void);
@@ -58,19 +58,19 @@ void studio_rest(struct studio *studio, bool rest);
 void studio_scale(struct studio *studio, float scale);
 
 struct studio_report {
-    int64_t ticks;              /* of the session now */
-    double tick_ms;             /* mean of the last second: what a tick takes */
-    double ticks_per_second;    /* reached in the last second */
-    int64_t checkpoint_tick;    /* of the newest checkpoint; -1: none */
-    int sessions;               /* begun */
-    bool ended;                 /* `once`, and the last tick is done */
-    float scale;                /* of the grid now */
-    char trouble[200];          /* "" or what has gone wrong in the thread */
+    int64_t ticks;           /* of the session now */
+    double tick_ms;          /* mean of the last second: what a tick takes */
+    double ticks_per_second; /* reached in the last second */
+    int64_t checkpoint_tick; /* of the newest checkpoint; -1: none */
+    int sessions;            /* begun */
+    bool ended;              /* `once`, and the last tick is done */
+    float scale;             /* of the grid now */
+    char trouble[200];       /* "" or what has gone wrong in the thread */
 };
 struct studio_report studio_report(struct studio *studio);
 
-/* The GPU is lost. First studio_suspend: the thread lets go of GL and stops; then display_renew; then studio_resume, which
- * starts it again with the painting as the newest checkpoint has it and all actions since. */
+/* The GPU is lost. First studio_suspend: the thread lets go of GL and stops; then display_renew; then studio_resume,
+ * which starts it again with the painting as the newest checkpoint has it and all actions since. */
 void studio_suspend(struct studio *studio);
 bool studio_resume(struct studio *studio, struct display *display, struct studio_error *error);
 

@@ -7,21 +7,24 @@
 
 #include "bench.h"
 #include "painting_gpu.h"
+#include "script_sheet.h"
 
 static const int64_t REST_TICKS = 20 * STUDIO_TICKS_PER_SECOND; /* a finished painting is looked at for so long */
 
+static int scaled(int cells, float scale, int least)
+{
+    int count = (int)lroundf((float)cells * scale);
+    return count > least ? count : least;
+}
+
 struct painting_def studio_painting(const struct studio *studio, float scale)
 {
-    const struct script *script = studio->def.script;
-    struct painting_def def = painting_default_def();
-    def.width = (int)lroundf((float)script->width * scale);
-    def.height = (int)lroundf((float)script->height * scale);
-    def.margin = (int)lroundf((float)script->margin * scale);
-    def.width = def.width < PAINTING_SIZE_MIN ? PAINTING_SIZE_MIN : def.width;
-    def.height = def.height < PAINTING_SIZE_MIN ? PAINTING_SIZE_MIN : def.height;
-    def.seed = (uint32_t)script->seed + (uint32_t)(studio->report.sessions > 0 ? studio->report.sessions - 1 : 0);
+    struct painting_def def = script_painting(studio->def.script);
+    def.width = scaled(def.width, scale, PAINTING_SIZE_MIN);
+    def.height = scaled(def.height, scale, PAINTING_SIZE_MIN);
+    def.margin = scaled(def.margin, scale, 0);
+    def.seed += (uint32_t)(studio->report.sessions > 0 ? studio->report.sessions - 1 : 0);
     def.threads = studio->def.threads;
-    def.coefficients = script->coefficients;
     return def;
 }
 
@@ -144,8 +147,8 @@ static bool fit_checkpoints(struct studio *studio, const struct painting_def *de
     checkpoint_finish(&studio->partial);
     studio->has_whole = studio->taking = false;
     studio->journal_count = studio->journal_kept = 0;
-    return studio->def.engine != ENGINE_GPU || (checkpoint_init(&studio->whole, def) &&
-                                                checkpoint_init(&studio->partial, def));
+    return studio->def.engine != ENGINE_GPU ||
+           (checkpoint_init(&studio->whole, def) && checkpoint_init(&studio->partial, def));
 }
 
 /* The painting on another grid. When that fails the old one stays. */
@@ -156,8 +159,8 @@ static void change_scale(struct studio *studio, float scale)
     struct engine *next = NULL;
     def.seed = now.seed;
     def.coefficients = now.coefficients;
-    bool good = checkpoint_init(&from, &now) && checkpoint_init(&to, &def) &&
-                studio->engine->ops->save(studio->engine, &from);
+    bool good =
+        checkpoint_init(&from, &now) && checkpoint_init(&to, &def) && studio->engine->ops->save(studio->engine, &from);
     if (good) {
         checkpoint_resample(&from, &to);
         next = make_engine(studio, &def);

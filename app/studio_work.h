@@ -40,17 +40,17 @@ struct studio {
 
     /* The thread's alone while it runs. */
     struct engine *engine;
-    struct engine *kept;           /* an engine of the CPU outlives the loss of a GPU */
-    bool lost;                     /* GL is gone: nothing of it is to be touched */
-    int next_action;               /* of the script */
-    int64_t session_start;         /* tick of the engine at which the session began */
-    int64_t rest_ticks;            /* since the session ended */
+    struct engine *kept;   /* an engine of the CPU outlives the loss of a GPU */
+    bool lost;             /* GL is gone: nothing of it is to be touched */
+    int next_action;       /* of the script */
+    int64_t session_start; /* tick of the engine at which the session began */
+    int64_t rest_ticks;    /* since the session ended */
     struct checkpoint whole, partial;
-    bool has_whole, taking;        /* `partial` is being taken */
+    bool has_whole, taking;                       /* `partial` is being taken */
     struct studio_action journal[STUDIO_JOURNAL]; /* done since `partial`, or if none is being taken `whole`, began */
-    int journal_count, journal_kept;       /* `kept`: how many of them `partial` holds already */
-    double checkpoint_s;           /* when the newest was begun */
-    double second_s, busy_s;       /* the second being measured; time spent in ticks in it */
+    int journal_count, journal_kept;              /* `kept`: how many of them `partial` holds already */
+    double checkpoint_s;                          /* when the newest was begun */
+    double second_s, busy_s;                      /* the second being measured; time spent in ticks in it */
     int second_ticks;
 };
 

@@ -1,8 +1,7 @@
-/* Hands the fields of a painting from the thread that simulates it to the thread that shows it. Two sets of textures: one
- * is being shown, the other is filled, and they change places when the GPU has it ready. Neither thread ever waits for
- * the other: the simulation finds that its last picture has not been taken yet and goes on, the display finds nothing
- * new and shows what it has.
- * Both threads have GL contexts of their own that share objects. */
+/* Hands the fields of a painting from the thread that simulates it to the thread that shows it. Two sets of textures:
+ * one is being shown, the other is filled, and they change places when the GPU has it ready. Neither thread ever waits
+ * for the other: the simulation finds that its last picture has not been taken yet and goes on, the display finds
+ * nothing new and shows what it has. Both threads have GL contexts of their own that share objects. */
 #ifndef FROND_PUBLISHER_H
 #define FROND_PUBLISHER_H
 
