@@ -9,7 +9,7 @@
 #include "painting.h"
 #include "rectangle.h"
 
-enum { GROUND_SIDE = 16 };
+enum { GROUND_SIDE = 16, GROUND_NEVER_STAMPED = 65535 };
 
 enum obstacle { OBSTACLE_MASK = 1, OBSTACLE_LINE = 2 };
 

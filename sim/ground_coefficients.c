@@ -7,7 +7,6 @@
 #include "noise.h"
 #include "region.h"
 
-enum { NEVER_STAMPED = 65535 };
 #define STAMP_UNIT (1.0f / 16)
 
 /* The coefficients of one cell. */
@@ -73,7 +72,7 @@ void ground_fill(struct ground *ground)
         for (int x = 0; x < ground->width; x++) {
             local.xi = xi_at(ground, x, y, c->xi0, c->noise);
             write_local(ground, x, y, &local);
-            ground_stamped(ground, y)[x] = NEVER_STAMPED;
+            ground_stamped(ground, y)[x] = GROUND_NEVER_STAMPED;
         }
     }
 }
@@ -128,7 +127,7 @@ static void stamp_cell(struct ground *ground, int x, int y, const struct brush *
 {
     uint16_t *nearest = ground_stamped(ground, y) + x;
     float share = 1.0f - smoothstep(0.8f, 1.0f, distance / reach);
-    if (*nearest != NEVER_STAMPED) {
+    if (*nearest != GROUND_NEVER_STAMPED) {
         float old = (float)*nearest * STAMP_UNIT;
         share *= smoothstep(0.42f, 0.58f, old / (old + distance + 1e-3f));
     }
