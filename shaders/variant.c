@@ -60,21 +60,25 @@ bool variant_is_line(const char *line)
     return after_directive(line, "variant") != NULL;
 }
 
-/* Alternative `choice` of "1|2|4"; how many there are in `count`. */
-static struct word pick(struct word values, int choice, int *count)
+/* How many alternatives there are in "1|2|4": one at least. */
+static int count_choices(struct word values)
 {
-    struct word picked = {values.at, 0};
-    const char *end = values.at + values.length;
-    *count = 0;
-    for (const char *at = values.at; at <= end; (*count)++) {
-        const char *bar = memchr(at, '|', (size_t)(end - at));
-        bar = bar ? bar : end;
-        if (*count == choice) {
-            picked = (struct word){at, (int)(bar - at)};
-        }
-        at = bar + 1;
+    int count = 1;
+    for (int i = 0; i < values.length; i++) {
+        count += values.at[i] == '|';
     }
-    return picked;
+    return count;
+}
+
+static struct word pick(struct word values, int choice)
+{
+    const char *at = values.at, *end = values.at + values.length;
+    for (const char *bar; (bar = memchr(at, '|', (size_t)(end - at))); at = bar + 1) {
+        if (choice-- == 0) {
+            return (struct word){at, (int)(bar - at)};
+        }
+    }
+    return (struct word){at, (int)(end - at)};
 }
 
 /* Set `index` of one #variant line, counted as an odometer counts; `count` sets in all. */
@@ -88,11 +92,10 @@ static struct set read_line(const char *at, int index, int *count)
             return set;
         }
         if (*at == '=') {
-            int choices = 0;
             at++;
             struct word values = next_word(&at, SPACES "\n");
-            (void)pick(values, 0, &choices);
-            define.value = pick(values, index / *count % choices, &choices);
+            int choices = count_choices(values);
+            define.value = pick(values, index / *count % choices);
             *count *= choices;
         }
         set.defines[set.count++] = define;
