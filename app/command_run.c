@@ -17,7 +17,8 @@ static const char HELP[] =
     "Paints the demonstration session, or SCRIPT, live on what is there: a window where a desktop\n"
     "runs, else the screen of the board. Touch it. Where there is neither, the session is rendered\n"
     "to out/ in the current folder: the picture, two pixels a cell, and a folder of how it grew.\n\n"
-    "      --display KIND    auto, kms (the screen itself), window, headless (memory)\n"
+    "      --display KIND    auto, kms (the screen itself), window, headless (memory), or none: the\n"
+    "                        session is rendered to out/ whatever there is\n"
     "      --card PATH       kms: the graphics card, /dev/dri/card1\n"
     "      --connector NAME  kms: where the screen is plugged in, HDMI-A-1\n"
     "      --mode WxH[@HZ]   pixels of the screen or the window; what it prefers if left out\n"
@@ -95,6 +96,7 @@ enum {
 struct order {
     struct display_def display;
     struct live_def live;
+    bool none; /* no display at all: render */
     int ticks; /* -1: the script's */
 };
 
@@ -126,23 +128,25 @@ static bool take_mode(const char *text, struct display_def *def)
     return option_size(size, DISPLAY_SIZE_MAX, &def->width, &def->height);
 }
 
-static bool take_display(const char *name, enum display_kind *kind)
+static bool take_display(const char *name, struct order *order)
 {
+    order->none = strcmp(name, "none") == 0;
     for (int i = 0; i < DISPLAY_KINDS; i++) {
         if (strcmp(display_kind_name((enum display_kind)i), name) == 0) {
-            *kind = (enum display_kind)i;
+            order->display.kind = (enum display_kind)i;
             return true;
         }
     }
-    return false;
+    return order->none;
 }
 
 /* Options of the screen; -1 when it is right, or none of these. */
-static int take_display_option(struct display_def *def, int option)
+static int take_display_option(struct order *order, int option)
 {
+    struct display_def *def = &order->display;
     switch (option) {
     case DISPLAY:
-        return take_display(optarg, &def->kind) ? -1 : wrong("display", optarg, "one of auto, kms, window, headless");
+        return take_display(optarg, order) ? -1 : wrong("display", optarg, "one of auto, kms, window, headless, none");
     case CARD:
         def->card = optarg;
         return -1;
@@ -204,6 +208,9 @@ static int take_live_option(struct order *order, int option)
 static int show(struct script *script, const char *path, const struct order *order)
 {
     struct display_error error;
+    if (order->none) {
+        return render_session(path, script);
+    }
     struct display *display = display_create(&order->display, &error);
     if (!display && order->display.kind != DISPLAY_AUTO) {
         fprintf(stderr, "frond run: %s\n", error.text);
@@ -265,7 +272,7 @@ static int read_order(int argc, char *argv[], struct order *order)
         if (option == '?' || option == ':') {
             return option_usage("run", option, argv);
         }
-        status = take_display_option(&order->display, option);
+        status = take_display_option(order, option);
         status = status < 0 ? take_live_option(order, option) : status;
     }
     if (status < 0 && argc - optind > 1) {
