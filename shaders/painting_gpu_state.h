@@ -56,17 +56,17 @@ enum gpu_tile_list {
 enum {
     GPU_LIST_CHUNK = 512, /* tiles of one dispatch: see painting_gpu_steps.c */
     GPU_CHUNKS_MOST = 64,
-    GPU_HEAD_COUNT = 0, /* + enum gpu_tile_list: tiles in it */
-    GPU_HEAD_QUIET = 3, /* quiet periods, as in sim/painting_state.h: upkeep counts them, the dead band follows */
+    GPU_HEAD_COUNT = 0,  /* + enum gpu_tile_list: tiles in it */
+    GPU_HEAD_QUIET = 3,  /* quiet periods, as in sim/painting_state.h: upkeep counts them, the dead band follows */
     GPU_HEAD_UPKEEP = 4, /* 16 words for the upkeep's own sums */
     /* + (list * GPU_CHUNKS_MOST + chunk) * 3: arguments of an indirect dispatch */
     GPU_HEAD_DISPATCH = 20,
     GPU_HEAD_WORDS = GPU_HEAD_DISPATCH + LIST_COUNT * GPU_CHUNKS_MOST * 3,
 };
 enum gpu_tile_array {
-    TILES_FLAGS,                             /* enum gpu_tile_bit: what has been noted since it was last looked at */
-    TILES_SEEN,                              /* scratch: the flags while lists are made */
-    TILES_LIST,                              /* + enum gpu_tile_list: numbers of tiles */
+    TILES_FLAGS, /* enum gpu_tile_bit: what has been noted since it was last looked at */
+    TILES_SEEN,  /* scratch: the flags while lists are made */
+    TILES_LIST,  /* + enum gpu_tile_list: numbers of tiles */
     TILES_ARRAYS = TILES_LIST + LIST_COUNT,
 };
 /* Bits of a tile's flags: those of sim/tiles.h, which says what each means. */
@@ -84,6 +84,7 @@ enum gpu_tile_bit {
 
 enum gpu_buffer { BUFFER_FLUID, BUFFER_PATTERN, BUFFER_SHEET };
 
+struct gpu_planes;
 struct gpu_steps;
 
 struct painting_gpu {
@@ -100,6 +101,7 @@ struct painting_gpu {
     unsigned stage;                              /* GL buffer: a rectangle on its way to or from memory */
     size_t stage_bytes;
     int fluid_now, pattern_now; /* which of the two holds the state */
+    struct gpu_planes *planes;  /* programs of painting_gpu.c */
     struct gpu_steps *steps;    /* programs and scratch of painting_gpu_steps.c, and so on */
     struct gpu_act *act;
     struct gpu_upkeep *upkeep;
@@ -120,6 +122,12 @@ static inline size_t gpu_plane_words(const struct painting_gpu *gpu)
     return (size_t)gpu->rows * (size_t)gpu->stride;
 }
 
+/* Buffers and programs of the steps, an empty painting whose ground is all 0; what engine_gpu_create builds upon. */
+struct painting_gpu *gpu_create(const struct painting_def *def, const struct shader_folder *folder,
+                                struct shader_error *error);
+void gpu_destroy(struct painting_gpu *gpu);       /* takes NULL */
+size_t gpu_bytes(const struct painting_gpu *gpu); /* of all buffers */
+
 /* The buffer of now that holds a kind of planes. */
 unsigned gpu_buffer_now(const struct painting_gpu *gpu, enum gpu_buffer kind);
 /* Planes first..first + count - 1 of a rectangle within the sheet, from and to memory: words[count][y1 - y0][x1 - x0].
@@ -136,8 +144,8 @@ void gpu_empty(struct painting_gpu *gpu);
 
 /* Binds the blocks of the fluid or the pattern, `from` now; the sheet; the tiles. */
 void gpu_bind(const struct painting_gpu *gpu, enum gpu_buffer kind);
-/* The uniforms of planes.glsl, of the program in use. */
-void gpu_set_planes(const struct painting_gpu *gpu);
+/* Sets the uniforms of planes.glsl and tiles.glsl of a program, where it has them, and uses it. */
+void gpu_set_planes(const struct painting_gpu *gpu, unsigned program);
 /* Word of the buffer of tiles where an array begins. */
 static inline size_t gpu_tiles_word(const struct painting_gpu *gpu, int array)
 {
