@@ -19,6 +19,7 @@
 #define FROND_PAINTING_GPU_STATE_H
 
 #include "painting_gpu.h"
+#include "rectangle.h"
 
 enum {
     GPU_TILE = 32,         /* cells a side of what sleeps and wakes together */
@@ -106,10 +107,6 @@ struct painting_gpu {
     struct gpu_act *act;
     struct gpu_upkeep *upkeep;
     struct gpu_read *read;
-};
-
-struct rectangle {
-    int x0, x1, y0, y1; /* cells [x0, x1) x [y0, y1) */
 };
 
 static inline size_t gpu_word(const struct painting_gpu *gpu, int x, int y)
