@@ -83,7 +83,7 @@ static void name_processor(char *name, size_t size)
     FILE *file = fopen("/proc/device-tree/model", "re"); /* a board says what it is */
     snprintf(name, size, "unknown processor");
     if (file && fgets(line, sizeof line, file)) {
-        snprintf(name, size, "%s", line);
+        snprintf(name, size, "%.*s", (int)size - 1, line);
     }
     if (file) {
         fclose(file);
@@ -93,7 +93,8 @@ static void name_processor(char *name, size_t size)
     while (file && fgets(line, sizeof line, file)) {
         char *colon = strchr(line, ':');
         if (colon && strncmp(line, "model name", 10) == 0) {
-            snprintf(name, size, "%.*s", (int)strcspn(colon + 2, "\n"), colon + 2);
+            colon[strcspn(colon, "\n")] = '\0';
+            snprintf(name, size, "%.*s", (int)size - 1, colon + 2);
             break;
         }
     }

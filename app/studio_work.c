@@ -48,7 +48,7 @@ static struct engine *make_engine(struct studio *studio, const struct painting_d
 static void set_trouble(struct studio *studio, const char *text)
 {
     pthread_mutex_lock(&studio->lock);
-    snprintf(studio->report.trouble, sizeof studio->report.trouble, "%s", text);
+    snprintf(studio->report.trouble, sizeof studio->report.trouble, "%.190s", text);
     pthread_mutex_unlock(&studio->lock);
 }
 

@@ -97,8 +97,10 @@ static bool fill(struct publisher *publisher, struct fields *slot, struct engine
     if (!fit_texels(publisher, def.width, def.height)) {
         return false;
     }
-    painting_publish(painting, publisher->texels[FIELDS_GROUND], publisher->texels[FIELDS_INK],
-                     publisher->texels[FIELDS_PATTERN], publisher->texels[FIELDS_VECTORS]);
+    painting_publish(painting, &(struct painting_texels){.ground = publisher->texels[FIELDS_GROUND],
+                                                         .ink = publisher->texels[FIELDS_INK],
+                                                         .pattern = publisher->texels[FIELDS_PATTERN],
+                                                         .vectors = publisher->texels[FIELDS_VECTORS]});
     fields_upload(slot, (const float *const *)publisher->texels);
     return true;
 }
