@@ -1,17 +1,30 @@
 /* The inside of the GPU engine, shared by the files that make it up; nobody else includes this.
- *   painting_gpu.c         life, engine_ops, programs
+ *   painting_gpu.c         life: buffers, planes by rectangles, engine_ops
  *   painting_gpu_steps.c   a tick: tile lists, openness, fluid steps, pattern steps
  *   painting_gpu_act.c     actions: what the CPU plans (deposit.h) brought to the cells; changed ground uploaded
  *   painting_gpu_upkeep.c  drying, re-wetting, settling, evaporation
  *   painting_gpu_read.c    reading, totals, checkpoints, publishing
- * Few large buffers of planes. A plane is [rows][stride] words, stride and rows the sheet rounded up to whole tiles;
- * cell (x, y) is word y * stride + x. Cells beyond the sheet are closed and stay 0. */
+ *
+ * Few large buffers of planes. A plane is [rows][stride] words: the sheet rounded up to whole tiles, and around it an
+ * apron of GPU_APRON cells, which no shader writes; cell (x, y) is word gpu_word(gpu, x, y). Beyond the sheet all is
+ * closed in the openness and there is never any liquid, so that neighbours are read without looking where the sheet
+ * ends; what the pattern holds there means nothing. planes.glsl says the same to the shaders.
+ *
+ * Fluids and pattern are held twice: a pass reads the one and writes the other, tiles that sleep are not written, and
+ * so hold the same values in both, to the bit. Whoever changes a plane between ticks
+ *   - changes the buffer of now, and touches the tiles (gpu_steps_touch), which wakes them: the next tick writes the
+ *     other buffer; or
+ *   - changes both buffers alike, where tiles are to go on sleeping (drying pigment). */
 #ifndef FROND_PAINTING_GPU_STATE_H
 #define FROND_PAINTING_GPU_STATE_H
 
 #include "painting_gpu.h"
 
-enum { GPU_TILE = 32 }; /* cells a side of what sleeps and wakes together */
+enum {
+    GPU_TILE = 32,         /* cells a side of what sleeps and wakes together */
+    GPU_APRON = 4,         /* cells around the tiles */
+    GPU_CALM_PERIODS = 24, /* as in sim/painting_state.h */
+};
 
 /* Bindings of storage blocks, the same in every shader. */
 enum gpu_block { BLOCK_IN, BLOCK_OUT, BLOCK_SHEET, BLOCK_TILES };
@@ -27,27 +40,127 @@ enum {
     GPU_ALPHA_Y_REST, /* alpha_y | weight << 16 | obstacle << 24 */
     GPU_GUIDE,        /* guide x | guide y << 16, signed */
     GPU_DENSITY,      /* solvent density after the last fluid step */
-    GPU_OPEN_SOLVENT, /* openness for this tick; CLOSED (-4) at obstacles */
+    GPU_OPEN_SOLVENT, /* openness as of the last tick that the tile flowed; CLOSED at obstacles and beyond the sheet */
     GPU_OPEN_INK,
     GPU_DRY, /* + ink 0..3 */
     GPU_SHEET_PLANES = GPU_DRY + PAINTING_INKS,
 };
 
+/* The buffer of tiles, words: a head, then arrays of a word a tile. The order is also that of tiles.glsl. */
+enum gpu_tile_list {
+    LIST_FLUID,   /* tiles whose fluids the last tick computed */
+    LIST_FREE,    /* tiles whose pattern it computed, by the program for free ground */
+    LIST_SPECIAL, /* and by the whole one */
+    LIST_COUNT,
+};
+enum {
+    GPU_LIST_CHUNK = 512, /* tiles of one dispatch: see painting_gpu_steps.c */
+    GPU_CHUNKS_MOST = 64,
+    GPU_HEAD_COUNT = 0, /* + enum gpu_tile_list: tiles in it */
+    GPU_HEAD_QUIET = 3, /* quiet periods, as in sim/painting_state.h: upkeep counts them, the dead band follows */
+    GPU_HEAD_UPKEEP = 4, /* 16 words for the upkeep's own sums */
+    /* + (list * GPU_CHUNKS_MOST + chunk) * 3: arguments of an indirect dispatch */
+    GPU_HEAD_DISPATCH = 20,
+    GPU_HEAD_WORDS = GPU_HEAD_DISPATCH + LIST_COUNT * GPU_CHUNKS_MOST * 3,
+};
+enum gpu_tile_array {
+    TILES_FLAGS,                             /* enum gpu_tile_bit: what has been noted since it was last looked at */
+    TILES_SEEN,                              /* scratch: the flags while lists are made */
+    TILES_LIST,                              /* + enum gpu_tile_list: numbers of tiles */
+    TILES_ARRAYS = TILES_LIST + LIST_COUNT,
+};
+/* Bits of a tile's flags: those of sim/tiles.h, which says what each means. */
+enum gpu_tile_bit {
+    BIT_FLOWS = 1,
+    BIT_WET = 2,
+    BIT_OPENED = 4,
+    BIT_GROWS = 8,
+    BIT_FED = 16,
+    BIT_ALIVE = 32,
+    BIT_SPECIAL = 64,
+    BIT_CARVED = 128,
+    BIT_DAMP = 256,
+};
+
+enum gpu_buffer { BUFFER_FLUID, BUFFER_PATTERN, BUFFER_SHEET };
+
+struct gpu_steps;
+
 struct painting_gpu {
     struct engine engine;
     struct painting_def def;
     int width, height;  /* cells, margin included */
-    int stride, rows;   /* of a plane */
+    int stride, rows;   /* words and rows of a plane, apron included */
     int columns, lines; /* tiles */
     int64_t tick;
     struct ground *ground; /* what actions alone change, kept on the CPU, changed parts uploaded */
     struct shader_folder folder;
+    char *folder_path;                           /* what `folder` points to */
     unsigned fluid[2], pattern[2], sheet, tiles; /* GL buffers */
-    int fluid_now, pattern_now;                  /* which of the two holds the state */
-    struct gpu_steps *steps;                     /* programs and scratch of painting_gpu_steps.c, and so on */
+    unsigned stage;                              /* GL buffer: a rectangle on its way to or from memory */
+    size_t stage_bytes;
+    int fluid_now, pattern_now; /* which of the two holds the state */
+    struct gpu_steps *steps;    /* programs and scratch of painting_gpu_steps.c, and so on */
     struct gpu_act *act;
     struct gpu_upkeep *upkeep;
     struct gpu_read *read;
 };
+
+struct rectangle {
+    int x0, x1, y0, y1; /* cells [x0, x1) x [y0, y1) */
+};
+
+static inline size_t gpu_word(const struct painting_gpu *gpu, int x, int y)
+{
+    return (size_t)(y + GPU_APRON) * (size_t)gpu->stride + (size_t)(x + GPU_APRON);
+}
+
+static inline size_t gpu_plane_words(const struct painting_gpu *gpu)
+{
+    return (size_t)gpu->rows * (size_t)gpu->stride;
+}
+
+/* The buffer of now that holds a kind of planes. */
+unsigned gpu_buffer_now(const struct painting_gpu *gpu, enum gpu_buffer kind);
+/* Planes first..first + count - 1 of a rectangle within the sheet, from and to memory: words[count][y1 - y0][x1 - x0].
+ * Reading waits for the GPU. Writing changes the buffer of now alone and wakes nothing. False when the GPU does not
+ * answer. */
+bool gpu_write_planes(struct painting_gpu *gpu, enum gpu_buffer kind, int first, int count, struct rectangle at,
+                      const void *words);
+bool gpu_read_planes(struct painting_gpu *gpu, enum gpu_buffer kind, int first, int count, struct rectangle at,
+                     void *words);
+/* Bytes [from, from + bytes) of a buffer as they are. */
+bool gpu_read_bytes(unsigned buffer, size_t from, size_t bytes, void *to);
+/* Everything 0 and asleep, catalyst 1, as painting_clear; the ground is left as it is. Touches the whole sheet. */
+void gpu_empty(struct painting_gpu *gpu);
+
+/* Binds the blocks of the fluid or the pattern, `from` now; the sheet; the tiles. */
+void gpu_bind(const struct painting_gpu *gpu, enum gpu_buffer kind);
+/* The uniforms of planes.glsl, of the program in use. */
+void gpu_set_planes(const struct painting_gpu *gpu);
+/* Word of the buffer of tiles where an array begins. */
+static inline size_t gpu_tiles_word(const struct painting_gpu *gpu, int array)
+{
+    return GPU_HEAD_WORDS + (size_t)array * (size_t)gpu->columns * (size_t)gpu->lines;
+}
+
+bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error);
+void gpu_steps_destroy(struct painting_gpu *gpu); /* takes one that has none */
+/* Programs anew; with an error the old ones stay. */
+bool gpu_steps_reload(struct painting_gpu *gpu, struct shader_error *error);
+/* fluid_steps and pattern_steps of now, no upkeep; gpu->tick goes on by one. Waits for nothing. */
+void gpu_steps_tick(struct painting_gpu *gpu);
+/* The two halves of it, for those who measure them. */
+void gpu_steps_flow(struct painting_gpu *gpu);
+void gpu_steps_grow(struct painting_gpu *gpu);
+/* As painting_touch: everything in the tiles of these cells wakes, the painting is no longer quiet, and calm liquid is
+ * looked at again. Also finds which of these tiles have obstacles or guidance: wants the ground uploaded. */
+void gpu_steps_touch(struct painting_gpu *gpu, struct rectangle cells);
+/* Sets bits of the tiles that these cells touch, clipped to the sheet: BIT_WET after liquid was added. */
+void gpu_steps_mark(struct painting_gpu *gpu, struct rectangle cells, unsigned bits);
+/* As painting_stir: the painting is no longer quiet. */
+void gpu_steps_stir(struct painting_gpu *gpu);
+/* Reads back: of the last tick. */
+struct painting_effort gpu_steps_effort(const struct painting_gpu *gpu);
 
 #endif
