@@ -50,7 +50,7 @@ struct Stream {
 };
 
 // What crosses a link is rounded to multiples of a band, so it is 0 where little would cross.
-vec4 cross(vec4 come, vec4 bounced, vec4 gates, float band)
+vec4 crossing(vec4 come, vec4 bounced, vec4 gates, float band)
 {
     return roundEven(gates * (come - bounced) * (1.0 / band)) * band;
 }
@@ -67,9 +67,9 @@ Stream stream(int plane, int word, Openness open, float band)
                           from[first + 4 * p + down]);
     vec4 come_diagonals = vec4(from[first + 5 * p + up - 1], from[first + 6 * p + up + 1],
                                from[first + 7 * p + down + 1], from[first + 8 * p + down - 1]);
-    vec4 axes_crossed = cross(come_axes, own_axes.zwxy, max(0.5 * (open.own + open.axes), 0.0), band);
+    vec4 axes_crossed = crossing(come_axes, own_axes.zwxy, max(0.5 * (open.own + open.axes), 0.0), band);
     vec4 diagonals_crossed =
-        cross(come_diagonals, own_diagonals.zwxy, max(0.5 * (open.own + open.diagonals), 0.0), band);
+        crossing(come_diagonals, own_diagonals.zwxy, max(0.5 * (open.own + open.diagonals), 0.0), band);
     vec4 h = own_axes.zwxy + axes_crossed, d = own_diagonals.zwxy + diagonals_crossed;
     float density = ((rest + (h.x + h.z)) + (h.y + h.w)) + ((d.x + d.z) + (d.y + d.w));
     float falling = d.x - d.z, rising = d.y - d.w;

@@ -11,7 +11,7 @@ enum {
     DEPOSIT_COLUMNS = 1024, /* of the texture: deposit.comp */
     DEPOSIT_ROWS = DEPOSIT_CELLS / DEPOSIT_COLUMNS,
     GROUND_PLANES = 4,
-    GROUND_CELLS = 1 << 15, /* that go up at a time */
+    GROUND_CELLS = 1 << 16, /* that go up at a time */
 };
 
 struct gpu_act {
@@ -129,8 +129,6 @@ static void apply_part(struct painting_gpu *gpu)
     int top = part.y0 / GPU_TILE, bottom = (part.y1 + GPU_TILE - 1) / GPU_TILE;
     upload_part(gpu->act);
     glUseProgram(gpu->act->program);
-    gpu_set_planes(gpu);
-    glUniform2i(1, gpu->columns, gpu->lines);
     glUniform4i(2, part.x0, part.x1, part.y0, part.y1);
     glUniform4i(3, left, top, (int)deposit->verb, deposit->ink);
     glUniform3f(4, deposit->solvent, deposit->amount, DEPOSIT_CARVED);

@@ -108,7 +108,7 @@ size_t rolling_bytes(const struct rolling *rolling)
 
 void gpu_read_note_ground(struct painting_gpu *gpu, struct rectangle cells)
 {
-    struct rolling *rolling = &gpu->read->rolling;
+    struct rolling *rolling = &gpu->read->rolling; /* made before any ground goes up */
     bool clean = rolling->dirty_from >= rolling->dirty_until;
     rolling->dirty_from = clean || cells.y0 < rolling->dirty_from ? cells.y0 : rolling->dirty_from;
     rolling->dirty_until = clean || cells.y1 > rolling->dirty_until ? cells.y1 : rolling->dirty_until;

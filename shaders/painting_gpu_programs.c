@@ -18,6 +18,9 @@ bool gpu_make_programs(const struct painting_gpu *gpu, const struct gpu_program_
     for (int i = 0; i < count; i++) {
         glDeleteProgram(whole ? programs[i] : made[i]);
         programs[i] = whole ? made[i] : programs[i];
+        if (whole) {
+            gpu_set_planes(gpu, programs[i]);
+        }
     }
     return whole;
 }

@@ -48,7 +48,6 @@ void engine_gpu_publish(struct engine *engine, const struct fields *fields)
             continue;
         }
         glUseProgram(gpu->read->programs[i]);
-        gpu_set_planes(gpu);
         glUniform3i(2, gpu->def.width, gpu->def.height, gpu->def.margin);
         glBindImageTexture(0, fields->texture[i], 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
         glDispatchCompute((GLuint)(gpu->def.width + 15) / 16, (GLuint)(gpu->def.height + 7) / 8, 1);
@@ -163,7 +162,5 @@ struct painting_totals gpu_read_totals(struct painting_gpu *gpu)
 
 size_t gpu_read_bytes_taken(const struct painting_gpu *gpu)
 {
-    size_t planes = 2 * (GPU_FLUID_PLANES + GPU_PATTERN_PLANES) + GPU_SHEET_PLANES;
-    size_t words = planes * gpu_plane_words(gpu) + gpu_tiles_word(gpu, TILES_ARRAYS);
-    return words * sizeof(uint32_t) + gpu->stage_bytes + gpu->ground->bytes + rolling_bytes(&gpu->read->rolling);
+    return gpu_bytes(gpu) + gpu->ground->bytes + rolling_bytes(&gpu->read->rolling);
 }

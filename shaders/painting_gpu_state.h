@@ -88,6 +88,7 @@ enum gpu_tile_bit {
 
 enum gpu_buffer { BUFFER_FLUID, BUFFER_PATTERN, BUFFER_SHEET };
 
+struct gpu_planes;
 struct gpu_steps;
 
 struct painting_gpu {
@@ -105,6 +106,7 @@ struct painting_gpu {
     size_t stage_bytes;
     int fluid_now, pattern_now;   /* which of the two holds the state */
     double evaporated, ink_dried; /* before the sums of the tiles began: what a checkpoint brought */
+    struct gpu_planes *planes;    /* programs of painting_gpu.c */
     struct gpu_steps *steps;      /* programs and scratch of painting_gpu_steps.c, and so on */
     struct gpu_act *act;
     struct gpu_upkeep *upkeep;
@@ -120,6 +122,12 @@ static inline size_t gpu_plane_words(const struct painting_gpu *gpu)
 {
     return (size_t)gpu->rows * (size_t)gpu->stride;
 }
+
+/* Buffers and programs of the steps, an empty painting whose ground is all 0; what engine_gpu_create builds upon. */
+struct painting_gpu *gpu_create(const struct painting_def *def, const struct shader_folder *folder,
+                                struct shader_error *error);
+void gpu_destroy(struct painting_gpu *gpu);       /* takes NULL */
+size_t gpu_bytes(const struct painting_gpu *gpu); /* of all buffers */
 
 /* The buffer of now that holds a kind of planes. */
 unsigned gpu_buffer_now(const struct painting_gpu *gpu, enum gpu_buffer kind);
@@ -137,8 +145,8 @@ void gpu_empty(struct painting_gpu *gpu);
 
 /* Binds the blocks of the fluid or the pattern, `from` now; the sheet; the tiles. */
 void gpu_bind(const struct painting_gpu *gpu, enum gpu_buffer kind);
-/* The uniforms of planes.glsl, of the program in use. */
-void gpu_set_planes(const struct painting_gpu *gpu);
+/* Sets the uniforms of planes.glsl and tiles.glsl of a program, where it has them, and uses it. */
+void gpu_set_planes(const struct painting_gpu *gpu, unsigned program);
 /* Word of the buffer of tiles where an array begins. */
 static inline size_t gpu_tiles_word(const struct painting_gpu *gpu, int array)
 {

@@ -44,8 +44,6 @@ void gpu_upkeep_destroy(struct painting_gpu *gpu)
 static void use(const struct painting_gpu *gpu, unsigned program)
 {
     glUseProgram(program);
-    gpu_set_planes(gpu);
-    glUniform2i(1, gpu->columns, gpu->lines);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, gpu->tiles);
 }
 
