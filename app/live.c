@@ -180,7 +180,7 @@ static void look_after(struct live *live)
         live->said_end = true;
         say("the session has ended at tick %lld", (long long)report.ticks);
     }
-    live_picture_reload(&live->picture, &live->folder);
+    live_picture_reload(&live->picture);
 }
 
 static void say_totals(struct live *live)

@@ -15,7 +15,7 @@ struct live_picture {
     long long stamp;             /* of the folder when the programs were made */
     struct picture_def def;      /* of the picture as it is */
     struct picture_gpu *picture; /* NULL: not made yet */
-    struct xray_gpu *layers;
+    bool reloaded;               /* its programs are others: to be shaded again */
 };
 
 void live_picture_init(struct live_picture *picture, const struct script *script, bool xray,
@@ -26,6 +26,6 @@ void live_picture_finish(struct live_picture *picture, bool lost);
 bool live_picture_draw(struct live_picture *picture, struct display *display, const struct fields *fields, bool fresh,
                        struct shader_error *error);
 /* Makes the programs again when the sources in the folder have changed; says what is wrong with them. */
-void live_picture_reload(struct live_picture *picture, const struct shader_folder *folder);
+void live_picture_reload(struct live_picture *picture);
 
 #endif

@@ -55,6 +55,7 @@ static void set_trouble(struct studio *studio, const char *text)
 static void act(struct studio *studio, const struct studio_action *posted)
 {
     struct action action = posted->action;
+    studio->changed_since = true;
     if (posted->copied) {
         action.path.points = posted->points;
     }
@@ -169,6 +170,7 @@ static void change_scale(struct studio *studio, float scale)
     if (good) {
         engine_destroy(studio->engine);
         studio->engine = next;
+        studio->changed_since = true;
     } else {
         engine_destroy(next);
         set_trouble(studio, "the grid cannot be changed: memory is short");
@@ -196,6 +198,7 @@ static bool begin_session(struct studio *studio)
     studio->next_action = 0;
     studio->rest_ticks = 0;
     studio->session_start = 0;
+    studio->changed_since = true;
     return true;
 }
 
@@ -226,10 +229,13 @@ static bool tick(struct studio *studio)
     if (session_tick(studio) < studio->def.script->ticks) {
         studio->engine->ops->tick(studio->engine);
         studio->engine->ops->finish(studio->engine);
+        studio->changed_since = true;
     } else if (!studio->def.once && ++studio->rest_ticks > REST_TICKS && !begin_session(studio)) {
         return false;
     }
-    publisher_publish(studio->publisher, studio->engine);
+    if (studio->changed_since && publisher_publish(studio->publisher, studio->engine)) {
+        studio->changed_since = false;
+    }
     roll_checkpoint(studio);
     measure(studio, began);
     return true;
@@ -303,6 +309,7 @@ void *studio_work(void *context)
     struct studio *studio = context;
     float scale;
     bool good = display_context_enter(studio->context);
+    studio->changed_since = true;
     if (!good) {
         snprintf(studio->error.text, sizeof studio->error.text, "the studio's GL context cannot be made current");
     }

@@ -42,6 +42,7 @@ struct studio {
     struct engine *engine;
     struct engine *kept;   /* an engine of the CPU outlives the loss of a GPU */
     bool lost;             /* GL is gone: nothing of it is to be touched */
+    bool changed_since;    /* the painting is not what was published last */
     int next_action;       /* of the script */
     int64_t session_start; /* tick of the engine at which the session began */
     int64_t rest_ticks;    /* since the session ended */
