@@ -4,8 +4,8 @@
 #include <string.h>
 
 enum {
-    NODES = INK_TABLE_NODES,
-    LANES = INK_TABLE_LANES, /* red, green, blue, nothing: one vector a node */
+    NODES = 13,
+    LANES = 4, /* red, green, blue, nothing: one vector a node */
 };
 
 /* Nodes are evenly spaced in u = m / (m + BEND), fine where thin ink changes colour quickly. */
@@ -131,9 +131,4 @@ void ink_table_mix(const struct ink_table *table, const float thickness[INK_PALE
     }
     ink_into_gamut(sum);
     memcpy(rgb, sum, 3 * sizeof *rgb);
-}
-
-const float *ink_table_lattice(const struct ink_table *table)
-{
-    return table->lattice;
 }

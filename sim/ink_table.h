@@ -12,8 +12,6 @@ enum ink_mixing {
 /* Thicker than this counts as this. */
 #define INK_TABLE_THICKNESS 8.0f
 
-enum { INK_TABLE_NODES = 13, INK_TABLE_LANES = 4 };
-
 struct ink_table;
 
 /* Kubelka-Munk is baked into a lattice of 13^4 colours, linear between its nodes: within 0.025 of direct evaluation,
@@ -22,10 +20,5 @@ struct ink_table *ink_table_create(const int ink[INK_PALETTE], enum ink_mixing m
 void ink_table_destroy(struct ink_table *table); /* takes NULL */
 /* Linear sRGB over the ground, each channel 0..1. 10 to 30 ns: inks that are absent cost nothing. */
 void ink_table_mix(const struct ink_table *table, const float thickness[INK_PALETTE], float rgb[3]);
-
-/* The lattice itself, for a GPU to look up: [NODES][NODES][NODES][NODES][LANES], the first ink first; red, green, blue
- * and a filler. Node i of an ink stands at u = i / (NODES - 1) of m / (m + 0.6) at INK_TABLE_THICKNESS; colours may lie
- * outside sRGB (ink_into_gamut). NULL for INK_CMY. The table's. */
-const float *ink_table_lattice(const struct ink_table *table);
 
 #endif

@@ -113,9 +113,9 @@ struct picture *picture_create(const struct picture_def *def)
         return NULL;
     }
     share_out(picture);
-    picture->wide = blur_of(BLUR_WIDE);
-    picture->narrow = blur_of(BLUR_NARROW);
-    picture->broad = blur_of(BLUR_BROAD);
+    picture->wide = blur_of(4);
+    picture->narrow = blur_of(0.8f);
+    picture->broad = blur_of(5);
     for (int i = 0; i < SRGB_STEPS; i++) {
         float root = (float)i / (SRGB_STEPS - 1);
         picture->srgb[i] = 255 * ink_encode(root * root);

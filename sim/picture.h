@@ -27,7 +27,6 @@ struct picture_def {
     enum ink_mixing mixing; /* Kubelka-Munk, or the paper's CMY */
     bool plain;             /* flat, white ground: pigment * clamp(4 * depth), for figures */
     uint32_t seed;          /* of the grain of the paper */
-    float depth_ref;        /* depth that counts as well carved, 0.25..2; 0: that of four fifths of the carved cells */
     int threads;            /* 1..PICTURE_THREADS_MAX, the caller's included */
 };
 

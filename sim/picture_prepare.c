@@ -64,9 +64,6 @@ static void blur_down(const struct blur *blur, const float *plane, int width, in
 
 float picture_depth_ref(const struct picture *picture)
 {
-    if (picture->def.depth_ref > 0) {
-        return picture->def.depth_ref;
-    }
     enum { BINS = 1024 };
     const float deepest = 2;
     const float carved = 0.1f;

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "exponential.h"
-#include "picture_light.h"
 
 /* One row of one layer from the rows of cells that are at hand, by the weights of picture row y. */
 static void combine(const struct picture_worker *worker, int layer, int y, float *out)
@@ -50,7 +49,13 @@ static int fetch(const struct picture_worker *worker, int have, int want)
     return have;
 }
 
-struct light light_default(void)
+/* Direction of the light, to the upper left and towards the eye, and half way between it and the eye. */
+struct light {
+    float x, y, z;
+    float half_x, half_y, half_z;
+};
+
+static struct light light_default(void)
 {
     const float x = -0.6f;
     const float y = -0.7f;

@@ -6,7 +6,6 @@
 #include <stdatomic.h>
 
 #include "picture.h"
-#include "picture_blur.h"
 #include "picture_grain.h"
 #include "picture_resample.h"
 
@@ -26,9 +25,15 @@ enum picture_layer {
 
 enum {
     SRGB_STEPS = 2048,
+    BLUR_RADIUS_MAX = 16,
 };
 
 struct team;
+
+struct blur { /* symmetric taps: centre, then each side */
+    int radius;
+    float taps[BLUR_RADIUS_MAX + 1];
+};
 
 struct picture_worker {
     struct picture *picture;
@@ -70,6 +75,7 @@ static inline float smooth_between(float low, float high, float x)
     return t * t * (3 - 2 * t);
 }
 
+struct blur blur_of(float sigma);
 /* The depth that counts as well carved. */
 float picture_depth_ref(const struct picture *picture);
 /* Rows of cells: relief, and what is to be blurred, blurred across. */
