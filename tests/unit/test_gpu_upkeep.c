@@ -81,6 +81,7 @@ static void pigment_dries_where_all_sleeps(void **state)
     struct painting_def def = small_def(70, 60);
     gpu_case_init(&both, &def);
     set(&both, "drying", 0.004f);
+    set(&both, "fluid_steps", 3); /* an odd number: what was the buffer of now is the other one a tick later */
     struct checkpoint *painted = &both.cpu_state; /* pigment, and nothing that moves */
     assert_true(both.cpu->ops->save(both.cpu, painted));
     for (int y = 20; y < 40; y++) {
@@ -90,16 +91,115 @@ static void pigment_dries_where_all_sleeps(void **state)
     }
     gpu_case_load(&both, painted);
     double wet = both.gpu->ops->totals(both.gpu).wet[1];
-    gpu_case_tick(&both, 2 * PERIOD - 3);
-    assert_int_equal(both.gpu->ops->effort(both.gpu).fluid_awake, 0);
+    for (int ticks = 0; ticks < 2; ticks++) {
+        gpu_case_tick(&both, PERIOD - 2 + 3 * ticks);
+        assert_int_equal(both.gpu->ops->effort(both.gpu).fluid_awake, 0);
+        gpu_case_compare(&both, 1e-6, 0);
+    }
     struct action stir = action_default(ACTION_GUIDE); /* wakes all tiles: what either buffer held comes to light */
-    gpu_case_tick(&both, 3);
     gpu_case_act(&both, &stir);
     gpu_case_tick(&both, 1);
     gpu_case_compare(&both, 1e-6, 0);
     gpu_case_tick(&both, 1);
     gpu_case_compare(&both, 1e-6, 0);
     assert_true(both.gpu->ops->totals(both.gpu).wet[1] < 0.7 * wet);
+    gpu_case_finish(&both);
+}
+
+/* What still grows is not quiet, however long it was said to be; and liquid that was calm is looked at again. */
+static void growth_ends_the_quiet(void **state)
+{
+    (void)state;
+    struct gpu_case both;
+    struct painting_def def = small_def(70, 60);
+    gpu_case_init(&both, &def);
+    drop(&both, 60);
+    for (int tick = 0; tick < 2 * PERIOD - 1; tick++) {
+        both.cpu->ops->tick(both.cpu);
+    }
+    for (int quiet = 7; quiet < 40; quiet += 23) {
+        struct checkpoint *growing = &both.cpu_state;
+        if (quiet == 7) {
+            assert_true(both.cpu->ops->save(both.cpu, growing));
+        } else {
+            growing->tick -= 2;
+        }
+        growing->quiet_periods = quiet;
+        gpu_case_load(&both, growing);
+        gpu_case_tick(&both, 1);
+        gpu_case_compare(&both, 1e-3, 10);
+        assert_int_equal(both.gpu_state.quiet_periods, 0);
+        gpu_case_tick(&both, 1);
+        gpu_case_compare(&both, 1e-3, 10);
+    }
+    gpu_case_finish(&both);
+}
+
+/* Carved ground all over, and on it solvent at rest, a little more of it in the middle. */
+static void make_puddle(struct checkpoint *puddle, float more)
+{
+    static const float WEIGHTS[9] = {4.0f / 9,  1.0f / 9,  1.0f / 9,  1.0f / 9, 1.0f / 9,
+                                     1.0f / 36, 1.0f / 36, 1.0f / 36, 1.0f / 36};
+    size_t cells = (size_t)puddle->width * (size_t)puddle->height, middle = cells / 2 + (size_t)puddle->width / 2;
+    for (size_t i = 0; i < cells; i++) {
+        float density = i == middle ? 1.0f + more : 1.0f;
+        for (int q = 0; q < 9; q++) {
+            checkpoint_plane(puddle, CHECKPOINT_SOLVENT + q)[i] = WEIGHTS[q] * density;
+        }
+        checkpoint_plane(puddle, CHECKPOINT_DENSITY)[i] = density;
+        checkpoint_plane(puddle, CHECKPOINT_CATALYST)[i] = 0.0f;
+        checkpoint_plane(puddle, CHECKPOINT_CARVED)[i] = 0.5f;
+    }
+}
+
+/* Tiles that have slept all along are among those that dry up. */
+static void a_puddle_dries_up_when_all_has_settled(void **state)
+{
+    (void)state;
+    struct gpu_case both;
+    struct checkpoint puddle;
+    struct painting_def def = small_def(50, 40);
+    gpu_case_init(&both, &def);
+    assert_true(checkpoint_init(&puddle, &def));
+    make_puddle(&puddle, 0.0f);
+    puddle.tick = PERIOD - 3;
+    puddle.quiet_periods = 6;
+    puddle.carved = (int64_t)puddle.width * puddle.height;
+    gpu_case_load(&both, &puddle);
+    gpu_case_tick(&both, PERIOD + 10);
+    gpu_case_compare(&both, 1e-6, 0);
+    assert_int_equal(both.gpu_state.quiet_periods, 8);
+    assert_true(both.gpu_state.evaporated == 0);
+    assert_int_equal(both.gpu->ops->effort(both.gpu).fluid_awake, 0);
+    gpu_case_tick(&both, PERIOD);
+    gpu_case_compare(&both, 1e-5, 0);
+    assert_true(both.gpu_state.evaporated > 10);
+    checkpoint_finish(&puddle);
+    gpu_case_finish(&both);
+}
+
+/* What is too little to cross a wide band flows again when something grows, even far away. */
+static void calm_liquid_is_looked_at_when_something_grows(void **state)
+{
+    (void)state;
+    struct gpu_case both;
+    struct checkpoint puddle;
+    struct painting_def def = small_def(50, 40);
+    gpu_case_init(&both, &def);
+    assert_true(checkpoint_init(&puddle, &def));
+    make_puddle(&puddle, 0.02f);
+    puddle.def.coefficients.evaporation = puddle.ground->def.coefficients.evaporation = 0.0f;
+    puddle.tick = PERIOD - 3;
+    puddle.quiet_periods = 50; /* and no carved cells were counted then: to the upkeep all of them are new */
+    gpu_case_load(&both, &puddle);
+    gpu_case_tick(&both, 2);
+    gpu_case_compare(&both, 1e-6, 0);
+    assert_int_equal(gpu_differences(&puddle, &both.gpu_state, 1e-6), 0);
+    assert_int_equal(both.gpu->ops->effort(both.gpu).fluid_awake, 0);
+    gpu_case_tick(&both, 9);
+    gpu_case_compare(&both, 1e-4, 0);
+    assert_true(gpu_differences(&puddle, &both.gpu_state, 1e-3) > 0);
+    checkpoint_finish(&puddle);
     gpu_case_finish(&both);
 }
 
@@ -185,8 +285,13 @@ static void an_action_stirs_what_was_calm(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pigment_dries_and_loosens),     cmocka_unit_test(pigment_dries_where_all_sleeps),
-        cmocka_unit_test(a_settled_painting_evaporates), cmocka_unit_test(a_painting_comes_to_rest),
+        cmocka_unit_test(pigment_dries_and_loosens),
+        cmocka_unit_test(pigment_dries_where_all_sleeps),
+        cmocka_unit_test(growth_ends_the_quiet),
+        cmocka_unit_test(a_puddle_dries_up_when_all_has_settled),
+        cmocka_unit_test(calm_liquid_is_looked_at_when_something_grows),
+        cmocka_unit_test(a_settled_painting_evaporates),
+        cmocka_unit_test(a_painting_comes_to_rest),
         cmocka_unit_test(an_action_stirs_what_was_calm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
