@@ -6,6 +6,7 @@
 
 #include "deposit.h"
 #include "painting_gpu_state.h"
+#include "texture.h"
 
 enum {
     DEPOSIT_COLUMNS = 1024, /* of the texture: deposit.comp */
@@ -28,14 +29,7 @@ bool gpu_act_reload(struct painting_gpu *gpu, struct shader_error *error)
     return gpu_make_programs(gpu, PARTS, 1, &gpu->act->program, error);
 }
 
-static void make_texture(struct gpu_act *act)
-{
-    glGenTextures(1, &act->texture);
-    glBindTexture(GL_TEXTURE_2D, act->texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RG32F, DEPOSIT_COLUMNS, DEPOSIT_ROWS);
-}
+static const struct texture_def TEXTURE = {.format = TEXTURE_RG32F, .width = DEPOSIT_COLUMNS, .height = DEPOSIT_ROWS};
 
 bool gpu_act_create(struct painting_gpu *gpu, struct shader_error *error)
 {
@@ -49,7 +43,10 @@ bool gpu_act_create(struct painting_gpu *gpu, struct shader_error *error)
     if (!deposit_init(&act->deposit, &bytes) || !act->texels || !act->words) {
         return shader_fail(error, "actions: memory is short");
     }
-    make_texture(act);
+    act->texture = texture_create(&TEXTURE);
+    if (!act->texture) {
+        return shader_fail(error, "actions: the GPU has no memory for a texture");
+    }
     return gpu_act_reload(gpu, error);
 }
 
@@ -60,7 +57,7 @@ void gpu_act_destroy(struct painting_gpu *gpu)
         return;
     }
     glDeleteProgram(act->program);
-    glDeleteTextures(1, &act->texture);
+    texture_delete(&act->texture);
     deposit_finish(&act->deposit);
     free(act->texels);
     free(act->words);
@@ -116,9 +113,7 @@ static void upload_part(struct gpu_act *act)
     }
     int rows = (cells + DEPOSIT_COLUMNS - 1) / DEPOSIT_COLUMNS;
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, act->texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, DEPOSIT_COLUMNS, rows, GL_RG, GL_FLOAT, act->texels);
+    texture_upload(act->texture, &TEXTURE, 0, 0, 0, DEPOSIT_COLUMNS, rows, act->texels);
 }
 
 static void apply_part(struct painting_gpu *gpu)

@@ -1,4 +1,8 @@
-// The visible sheet as texels for the picture (fields.h): one of GROUND, INKS, PATTERNS, VECTORS is defined.
+// The visible sheet as texels for the picture (fields.h), a texture each.
+#variant GROUND
+#variant INKS
+#variant PATTERNS
+#variant VECTORS
 #include "planes.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
