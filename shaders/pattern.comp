@@ -1,13 +1,18 @@
 // Up to four steps of the pattern (eq. 2-6, 16) in one pass over memory: the equations of sim/kernel.c, where the
 // departures from the paper stand. A group makes a tile out of the tile and four cells around it; what a step gets wrong
-// at the rim of that has not reached the tile after four. An invocation holds a patch of 4 x 4 cells, in rows of four;
-// patches show each other their rims through shared memory.
+// at the rim of that has not reached the tile after four. An invocation holds a patch of 4 x ROWS cells, in rows of
+// four; patches show each other their rims through shared memory.
 // WHOLE: with obstacles, guidance, any stencil and any k. Without: free ground, the isotropic stencil, k = 2.
 #include "planes.glsl"
 #include "tiles.glsl"
 
-const int PATCHES = 10; // across and down: (TILE + 2 * APRON) / 4
-layout(local_size_x = 10, local_size_y = 10) in;
+// Patches of a group: the tile and the apron around it.
+const int ACROSS = 10;
+#ifndef ROWS
+#define ROWS 8
+#define DOWN 5
+#endif
+layout(local_size_x = 10, local_size_y = DOWN) in;
 
 layout(std430, binding = 0) readonly buffer From
 {
@@ -33,18 +38,22 @@ const float UNIT_WEIGHT = 1.0 / 1020.0;
 const float UNIT_GUIDE = 1.0 / 8192.0;
 
 // Active pattern and catalyst at the rims of the patches: their upper and lower rows, left and right columns.
-const int RIMS = 8;
-shared vec4 rims[RIMS * PATCHES * PATCHES];
+const int SIDES = ROWS / 4; // fours of cells in a column
+const int RIM_ROWS = 0;     // active above, active below, catalyst above, below
+const int RIM_COLUMNS = 4;  // + SIDES * n: active left, right, catalyst left, right
+const int RIMS = 4 + 4 * SIDES;
+shared vec4 rims[RIMS * ACROSS * DOWN];
+shared float corners[2 * ACROSS * DOWN]; // active: upper right, lower right
 shared uint noted;
 
 struct Rates {
-    vec4 diffusion[4], growth[4], catalyst[4], weight[4];
+    vec4 diffusion[ROWS], growth[ROWS], catalyst[ROWS], weight[ROWS];
 };
 
 Rates load_rates(int word)
 {
     Rates rates;
-    for (int r = 0; r < 4; r++) {
+    for (int r = 0; r < ROWS; r++) {
         int at = word + r * (planes.z >> 2), p = planes.w >> 2;
         uvec4 first = sheet[ALPHA_A_XI * p + at], second = sheet[BETA_A_S_MAX * p + at];
         uvec4 third = sheet[ALPHA_Y_REST * p + at];
@@ -80,7 +89,8 @@ vec4 laplacian(vec4 axes, vec4 diagonals, vec4 centre, vec4 weight)
     return (axes - 4.0 * centre) + weight * ((diagonals - 2.0 * axes) + 4.0 * centre);
 }
 
-// Where the sheet ends, cells beyond it count as the last. `kept`: columns and rows of the patch that are on the sheet.
+// Where the sheet ends, cells beyond it count as the last. `kept`: columns and rows of the patch up to where the sheet
+// ends; the first row on it.
 vec4 end_row(vec4 row, int kept)
 {
     row.y = kept < 2 ? row.x : row.y;
@@ -89,14 +99,17 @@ vec4 end_row(vec4 row, int kept)
     return row;
 }
 
-void end_patch(inout vec4 rows[4], ivec2 kept)
+void end_patch(inout vec4 rows[ROWS], ivec3 kept)
 {
-    for (int r = 0; r < 4; r++) {
+    for (int r = 0; r < ROWS; r++) {
         rows[r] = end_row(rows[r], kept.x);
     }
-    rows[1] = kept.y < 2 ? rows[0] : rows[1];
-    rows[2] = kept.y < 3 ? rows[1] : rows[2];
-    rows[3] = kept.y < 4 ? rows[2] : rows[3];
+    for (int r = APRON - 1; ROWS > APRON && r >= 0; r--) {
+        rows[r] = r < kept.z ? rows[r + 1] : rows[r];
+    }
+    for (int r = 1; r < ROWS; r++) {
+        rows[r] = kept.y <= r ? rows[r - 1] : rows[r];
+    }
 }
 
 // The end of a step, eq. 3-5 with the seam gate and the settling rules. d_a, d_y: what diffusion brings.
@@ -117,87 +130,103 @@ void grow(inout vec4 a, inout vec4 y, inout vec4 p, vec4 d_a, vec4 d_y, vec4 gro
 
 int rim(int which, int patch_number)
 {
-    return which * PATCHES * PATCHES + patch_number;
+    return which * ACROSS * DOWN + patch_number;
 }
 
-void show_rims(int me, vec4 a[4], vec4 y[4])
+void show_rims(int me, vec4 a[ROWS], vec4 y[ROWS])
 {
-    rims[rim(0, me)] = a[0];
-    rims[rim(1, me)] = a[3];
-    rims[rim(2, me)] = y[0];
-    rims[rim(3, me)] = y[3];
-    rims[rim(4, me)] = vec4(a[0].x, a[1].x, a[2].x, a[3].x);
-    rims[rim(5, me)] = vec4(a[0].w, a[1].w, a[2].w, a[3].w);
-    rims[rim(6, me)] = vec4(y[0].x, y[1].x, y[2].x, y[3].x);
-    rims[rim(7, me)] = vec4(y[0].w, y[1].w, y[2].w, y[3].w);
+    rims[rim(RIM_ROWS, me)] = a[0];
+    rims[rim(RIM_ROWS + 1, me)] = a[ROWS - 1];
+    rims[rim(RIM_ROWS + 2, me)] = y[0];
+    rims[rim(RIM_ROWS + 3, me)] = y[ROWS - 1];
+    corners[me] = a[0].w;
+    corners[ACROSS * DOWN + me] = a[ROWS - 1].w;
+    for (int i = 0; i < SIDES; i++) {
+        int r = 4 * i, first = RIM_COLUMNS + i;
+        rims[rim(first, me)] = vec4(a[r].x, a[r + 1].x, a[r + 2].x, a[r + 3].x);
+        rims[rim(first + SIDES, me)] = vec4(a[r].w, a[r + 1].w, a[r + 2].w, a[r + 3].w);
+        rims[rim(first + 2 * SIDES, me)] = vec4(y[r].x, y[r + 1].x, y[r + 2].x, y[r + 3].x);
+        rims[rim(first + 3 * SIDES, me)] = vec4(y[r].w, y[r + 1].w, y[r + 2].w, y[r + 3].w);
+    }
 }
 
 struct Rim {
-    Row above, below; // active
-    vec4 left, right;
-    Row y_above, y_below; // catalyst; its corners for WHOLE alone
-    vec4 y_left, y_right;
+    Row above, below, y_above, y_below; // the catalyst's corners for WHOLE alone
+    vec4 left[SIDES], right[SIDES], y_left[SIDES], y_right[SIDES];
 };
 
-Row row_of(int which, int middle, int left, int right, bvec4 edges)
+struct Around { // patches around one; at an edge of the sheet, itself
+    int left, right, up, down;
+    bvec4 edges; // left, above, right, below ends the sheet, or what the group has, where nothing is worth reading
+};
+
+Row row_of(int which, int number, vec4 own, Around around)
 {
-    return Row(rims[rim(which, left)][edges.x ? 0 : 3], rims[rim(which, middle)],
-               rims[rim(which, right)][edges.z ? 3 : 0]);
+    // Beyond an edge lies what is there.
+    return Row(around.edges.x ? own.x : corners[which * ACROSS * DOWN + number + around.left], own,
+               around.edges.z ? own.w : rims[rim(RIM_ROWS + which, number + around.right)].x);
 }
 
-// edges: left, above, right, below is the edge of the sheet, or of what the group has, where nothing is worth reading.
-Rim look(int me, vec4 a[4], vec4 y[4], bvec4 edges)
+Rim look(int me, Around around)
 {
-    int left = edges.x ? me : me - 1, right = edges.z ? me : me + 1;
-    int up = edges.y ? 0 : -PATCHES, down = edges.w ? 0 : PATCHES;
-    // At an edge the rim is the patch's own opposite one.
-    int a_up = edges.y ? 0 : 1, a_down = edges.w ? 1 : 0, a_left = edges.x ? 4 : 5, a_right = edges.z ? 5 : 4;
+    // Beyond an edge lies the patch's own rim.
+    int up = around.edges.y ? 0 : 1, down = around.edges.w ? 1 : 0;
+    int left = around.edges.x ? 0 : SIDES, right = around.edges.z ? SIDES : 0;
     Rim seen;
-    seen.above = row_of(a_up, me + up, left + up, right + up, edges);
-    seen.below = row_of(a_down, me + down, left + down, right + down, edges);
-    seen.left = rims[rim(a_left, left)];
-    seen.right = rims[rim(a_right, right)];
-    seen.y_above = row_of(2 + a_up, me + up, left + up, right + up, edges);
-    seen.y_below = row_of(2 + a_down, me + down, left + down, right + down, edges);
-    seen.y_left = rims[rim(2 + a_left, left)];
-    seen.y_right = rims[rim(2 + a_right, right)];
+    seen.above = row_of(up, me + around.up, rims[rim(RIM_ROWS + up, me + around.up)], around);
+    seen.below = row_of(down, me + around.down, rims[rim(RIM_ROWS + down, me + around.down)], around);
+    seen.y_above.own = rims[rim(RIM_ROWS + 2 + up, me + around.up)];
+    seen.y_below.own = rims[rim(RIM_ROWS + 2 + down, me + around.down)];
+    for (int i = 0; i < SIDES; i++) {
+        int first = RIM_COLUMNS + i;
+        seen.left[i] = rims[rim(first + left, me + around.left)];
+        seen.right[i] = rims[rim(first + right, me + around.right)];
+        seen.y_left[i] = rims[rim(first + 2 * SIDES + left, me + around.left)];
+        seen.y_right[i] = rims[rim(first + 2 * SIDES + right, me + around.right)];
+    }
+#ifdef WHOLE
+    int y_first = RIM_COLUMNS + 3 * SIDES, last = SIDES - 1;
+    int up_row = up == 1 ? last : 0, down_row = down == 1 ? last : 0, up_at = up == 1 ? 3 : 0, down_at = down == 1 ? 3 : 0;
+    seen.y_above.left = around.edges.x ? seen.y_above.own.x : rims[rim(y_first + up_row, me + around.up + around.left)][up_at];
+    seen.y_below.left = around.edges.x ? seen.y_below.own.x : rims[rim(y_first + down_row, me + around.down + around.left)][down_at];
+    seen.y_above.right = around.edges.z ? seen.y_above.own.w : rims[rim(RIM_ROWS + 2 + up, me + around.up + around.right)].x;
+    seen.y_below.right = around.edges.z ? seen.y_below.own.w : rims[rim(RIM_ROWS + 2 + down, me + around.down + around.right)].x;
+#endif
     return seen;
 }
 
 #include "pattern_step.glsl"
 
-// What is new in a tile, for its flags.
-uint compare(int word, vec4 a[4], vec4 y[4], vec4 p[4], ivec2 kept)
+// What is new in four cells, for the flags of the tile.
+uint compare(int at, vec4 a, vec4 y, vec4 p, int kept)
 {
-    bvec4 on = lessThan(ivec4(0, 1, 2, 3), ivec4(kept.x));
-    uint bits = 0u;
-    for (int r = 0; r < 4; r++) {
-        int at = word + r * (planes.z >> 2), plane = planes.w >> 2;
-        vec4 a_old = from[ACTIVE * plane + at], y_old = from[CATALYST * plane + at];
-        vec4 p_old = from[CARVED * plane + at];
-        bvec4 spread = notEqual(y[r], y_old);
-        bvec4 other = notEqual(clamp(4.0 * (a[r] + p[r] - 0.1), 0.0, 1.0), clamp(4.0 * (a_old + p_old - 0.1), 0.0, 1.0));
-        bvec4 changed = notEqual(a[r], a_old), carved = notEqual(p[r], p_old), alive = notEqual(a[r], vec4(0.0));
-        uvec4 found = uvec4(spread) * (BIT_GROWS | BIT_CARVED | BIT_OPENED) | uvec4(other) * BIT_OPENED |
-                      (uvec4(changed) | uvec4(carved)) * (BIT_GROWS | BIT_CARVED) | uvec4(alive) * BIT_ALIVE;
-        found *= uvec4(on);
-        bits |= r < kept.y ? found.x | found.y | found.z | found.w : 0u;
-    }
-    return bits;
+    int plane = planes.w >> 2;
+    vec4 a_old = from[ACTIVE * plane + at], y_old = from[CATALYST * plane + at], p_old = from[CARVED * plane + at];
+    bvec4 spread = notEqual(y, y_old), changed = notEqual(a, a_old), carved = notEqual(p, p_old);
+    bvec4 other = notEqual(clamp(4.0 * (a + p - 0.1), 0.0, 1.0), clamp(4.0 * (a_old + p_old - 0.1), 0.0, 1.0));
+    uvec4 found = uvec4(spread) * (BIT_GROWS | BIT_CARVED | BIT_OPENED) | uvec4(other) * BIT_OPENED |
+                  (uvec4(changed) | uvec4(carved)) * (BIT_GROWS | BIT_CARVED) |
+                  uvec4(notEqual(a, vec4(0.0))) * BIT_ALIVE;
+    found *= uvec4(lessThan(ivec4(0, 1, 2, 3), ivec4(kept)));
+    return found.x | found.y | found.z | found.w;
 }
 
 void main()
 {
     int tile = int(tiles[listed(pass.y, pass.x + int(gl_WorkGroupID.x))]);
     ivec2 corner = ivec2(tile % tile_counts.x, tile / tile_counts.x) * TILE - APRON;
-    ivec2 place = ivec2(gl_LocalInvocationID.xy), cell = corner + place * 4;
-    int me = place.y * PATCHES + place.x, word = word_of(cell) >> 2, plane = planes.w >> 2;
-    ivec2 kept = clamp(planes.xy - cell, 1, 4);
-    bvec4 edges = bvec4(place.x == 0 || cell.x == 0, place.y == 0 || cell.y == 0,
-                        place.x == PATCHES - 1 || cell.x + 4 >= planes.x,
-                        place.y == PATCHES - 1 || cell.y + 4 >= planes.y);
-    vec4 a[4], y[4], p[4];
-    for (int r = 0; r < 4; r++) {
+    ivec2 place = ivec2(gl_LocalInvocationID.xy), cell = corner + place * ivec2(4, ROWS);
+    int me = place.y * ACROSS + place.x, word = word_of(cell) >> 2, plane = planes.w >> 2;
+    ivec3 kept = ivec3(clamp(planes.xy - cell, ivec2(1), ivec2(4, ROWS)), clamp(-cell.y, 0, ROWS - 1));
+    Around around;
+    around.edges = bvec4(place.x == 0 || cell.x == 0, place.y == 0 || cell.y <= 0 && cell.y > -ROWS, place.x == ACROSS - 1 || cell.x + 4 >= planes.x,
+                         place.y == DOWN - 1 || cell.y + ROWS >= planes.y);
+    around.left = around.edges.x ? 0 : -1;
+    around.right = around.edges.z ? 0 : 1;
+    around.up = around.edges.y ? 0 : -ACROSS;
+    around.down = around.edges.w ? 0 : ACROSS;
+    vec4 a[ROWS], y[ROWS], p[ROWS];
+    for (int r = 0; r < ROWS; r++) {
         int at = word + r * (planes.z >> 2);
         a[r] = from[ACTIVE * plane + at];
         y[r] = from[CATALYST * plane + at];
@@ -214,26 +243,27 @@ void main()
         show_rims(me, a, y);
         memoryBarrierShared();
         barrier();
-        Rim seen = look(me, a, y, edges);
+        Rim seen = look(me, around);
         memoryBarrierShared();
         barrier();
         STEP_PATCH
         end_patch(a, kept);
         end_patch(y, kept);
     }
-    bool inside = place.x > 0 && place.y > 0 && place.x < PATCHES - 1 && place.y < PATCHES - 1 &&
-                  all(lessThan(cell, planes.xy));
-    if (inside) {
-        uint bits = compare(word, a, y, p, kept);
+    if (place.x > 0 && place.x < ACROSS - 1 && all(lessThan(cell, planes.xy))) {
+        uint bits = 0u;
+        for (int r = 0; r < ROWS; r++) {
+            int at = word + r * (planes.z >> 2), row = place.y * ROWS + r - APRON; // of the tile
+            if (row >= 0 && row < TILE) {
+                bits |= r >= kept.z && r < kept.y ? compare(at, a[r], y[r], p[r], kept.x) : 0u;
+                to[ACTIVE * plane + at] = a[r];
+                to[CATALYST * plane + at] = y[r];
+                to[CARVED * plane + at] = p[r];
+            }
+        }
         bits = pass.w == 1 ? bits : bits & ~BIT_ALIVE;
         if (bits != 0u) {
             atomicOr(noted, bits);
-        }
-        for (int r = 0; r < 4; r++) {
-            int at = word + r * (planes.z >> 2);
-            to[ACTIVE * plane + at] = a[r];
-            to[CATALYST * plane + at] = y[r];
-            to[CARVED * plane + at] = p[r];
         }
     }
     memoryBarrierShared();
