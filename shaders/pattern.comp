@@ -1,24 +1,21 @@
 // Up to four steps of the pattern (eq. 2-6, 16) in one pass over memory: the equations of sim/kernel.c, where the
 // departures from the paper stand. A group makes a tile out of the tile and four cells around it; what a step gets wrong
-// at the rim of that has not reached the tile after four. An invocation holds a patch of 4 x ROWS cells, in rows of
-// four; patches show each other their rims through shared memory.
+// at the rim of that has not reached the tile after four. An invocation holds a patch of 4 x 4 cells, in rows of four;
+// patches show each other their rims through shared memory.
 // WHOLE: with obstacles, guidance, any stencil and any k. Without: free ground, the isotropic stencil, k = 2.
 #include "planes.glsl"
-#include "tiles.glsl"
+#include "work.glsl"
 
-// Patches of a group: the tile and the apron around it.
-const int ACROSS = 10;
-#ifndef ROWS
-#define ROWS 8
-#define DOWN 5
-#endif
-layout(local_size_x = 10, local_size_y = DOWN) in;
+const int PATCH = 4;   // cells across and down
+const int PATCHES = 10; // of a group, across and down: the tile and the apron around it
+const int COUNT = PATCHES * PATCHES;
+layout(local_size_x = 10, local_size_y = 10) in;
 
 layout(std430, binding = 0) readonly buffer From
 {
     vec4 from[];
 };
-layout(std430, binding = 1) buffer To
+layout(std430, binding = 1) writeonly buffer To
 {
     vec4 to[];
 };
@@ -27,7 +24,6 @@ layout(std430, binding = 2) readonly buffer Sheet
     uvec4 sheet[];
 };
 
-layout(location = 2) uniform ivec4 pass;   // place in the list of the first group's tile; list; steps; 1: last pass
 layout(location = 3) uniform vec4 growth;  // 1 - dt beta_p, dt beta_p, dt beta_y, seam
 layout(location = 4) uniform vec4 scales;  // of alpha_a, beta_a, alpha_y in their units, times dt; delta
 layout(location = 5) uniform vec4 stencil; // diagonal weight, < 0: of the map; of the catalyst; k; dt beta_v / 2
@@ -38,22 +34,23 @@ const float UNIT_WEIGHT = 1.0 / 1020.0;
 const float UNIT_GUIDE = 1.0 / 8192.0;
 
 // Active pattern and catalyst at the rims of the patches: their upper and lower rows, left and right columns.
-const int SIDES = ROWS / 4; // fours of cells in a column
-const int RIM_ROWS = 0;     // active above, active below, catalyst above, below
-const int RIM_COLUMNS = 4;  // + SIDES * n: active left, right, catalyst left, right
-const int RIMS = 4 + 4 * SIDES;
-shared vec4 rims[RIMS * ACROSS * DOWN];
-shared float corners[2 * ACROSS * DOWN]; // active: upper right, lower right
+const int ROWS = 0;        // the first and the last row; of the catalyst
+const int CATALYST_ROWS = 2;
+const int COLUMNS = 4;     // left and right; of the catalyst
+const int CATALYST_COLUMNS = 6;
+const int RIMS = 8;
+shared vec4 rims[RIMS * COUNT];
+shared float corners[2 * COUNT]; // active: upper right, lower right
 shared uint noted;
 
 struct Rates {
-    vec4 diffusion[ROWS], growth[ROWS], catalyst[ROWS], weight[ROWS];
+    vec4 diffusion[PATCH], growth[PATCH], catalyst[PATCH], weight[PATCH];
 };
 
 Rates load_rates(int word)
 {
     Rates rates;
-    for (int r = 0; r < ROWS; r++) {
+    for (int r = 0; r < PATCH; r++) {
         int at = word + r * (planes.z >> 2), p = planes.w >> 2;
         uvec4 first = sheet[ALPHA_A_XI * p + at], second = sheet[BETA_A_S_MAX * p + at];
         uvec4 third = sheet[ALPHA_Y_REST * p + at];
@@ -89,8 +86,7 @@ vec4 laplacian(vec4 axes, vec4 diagonals, vec4 centre, vec4 weight)
     return (axes - 4.0 * centre) + weight * ((diagonals - 2.0 * axes) + 4.0 * centre);
 }
 
-// Where the sheet ends, cells beyond it count as the last. `kept`: columns and rows of the patch up to where the sheet
-// ends; the first row on it.
+// Where the sheet ends, cells beyond it count as the last. `kept`: columns and rows of the patch that are on it.
 vec4 end_row(vec4 row, int kept)
 {
     row.y = kept < 2 ? row.x : row.y;
@@ -99,15 +95,12 @@ vec4 end_row(vec4 row, int kept)
     return row;
 }
 
-void end_patch(inout vec4 rows[ROWS], ivec3 kept)
+void end_patch(inout vec4 rows[PATCH], ivec2 kept)
 {
-    for (int r = 0; r < ROWS; r++) {
+    for (int r = 0; r < PATCH; r++) {
         rows[r] = end_row(rows[r], kept.x);
     }
-    for (int r = APRON - 1; ROWS > APRON && r >= 0; r--) {
-        rows[r] = r < kept.z ? rows[r + 1] : rows[r];
-    }
-    for (int r = 1; r < ROWS; r++) {
+    for (int r = 1; r < PATCH; r++) {
         rows[r] = kept.y <= r ? rows[r - 1] : rows[r];
     }
 }
@@ -130,68 +123,66 @@ void grow(inout vec4 a, inout vec4 y, inout vec4 p, vec4 d_a, vec4 d_y, vec4 gro
 
 int rim(int which, int patch_number)
 {
-    return which * ACROSS * DOWN + patch_number;
+    return which * COUNT + patch_number;
 }
 
-void show_rims(int me, vec4 a[ROWS], vec4 y[ROWS])
+void show_rims(int me, vec4 a[PATCH], vec4 y[PATCH])
 {
-    rims[rim(RIM_ROWS, me)] = a[0];
-    rims[rim(RIM_ROWS + 1, me)] = a[ROWS - 1];
-    rims[rim(RIM_ROWS + 2, me)] = y[0];
-    rims[rim(RIM_ROWS + 3, me)] = y[ROWS - 1];
+    rims[rim(ROWS, me)] = a[0];
+    rims[rim(ROWS + 1, me)] = a[3];
+    rims[rim(CATALYST_ROWS, me)] = y[0];
+    rims[rim(CATALYST_ROWS + 1, me)] = y[3];
+    rims[rim(COLUMNS, me)] = vec4(a[0].x, a[1].x, a[2].x, a[3].x);
+    rims[rim(COLUMNS + 1, me)] = vec4(a[0].w, a[1].w, a[2].w, a[3].w);
+    rims[rim(CATALYST_COLUMNS, me)] = vec4(y[0].x, y[1].x, y[2].x, y[3].x);
+    rims[rim(CATALYST_COLUMNS + 1, me)] = vec4(y[0].w, y[1].w, y[2].w, y[3].w);
     corners[me] = a[0].w;
-    corners[ACROSS * DOWN + me] = a[ROWS - 1].w;
-    for (int i = 0; i < SIDES; i++) {
-        int r = 4 * i, first = RIM_COLUMNS + i;
-        rims[rim(first, me)] = vec4(a[r].x, a[r + 1].x, a[r + 2].x, a[r + 3].x);
-        rims[rim(first + SIDES, me)] = vec4(a[r].w, a[r + 1].w, a[r + 2].w, a[r + 3].w);
-        rims[rim(first + 2 * SIDES, me)] = vec4(y[r].x, y[r + 1].x, y[r + 2].x, y[r + 3].x);
-        rims[rim(first + 3 * SIDES, me)] = vec4(y[r].w, y[r + 1].w, y[r + 2].w, y[r + 3].w);
-    }
+    corners[COUNT + me] = a[3].w;
 }
 
 struct Rim {
     Row above, below, y_above, y_below; // the catalyst's corners for WHOLE alone
-    vec4 left[SIDES], right[SIDES], y_left[SIDES], y_right[SIDES];
+    vec4 left, right, y_left, y_right;
 };
 
-struct Around { // patches around one; at an edge of the sheet, itself
-    int left, right, up, down;
-    bvec4 edges; // left, above, right, below ends the sheet, or what the group has, where nothing is worth reading
+struct Around {               // a patch's place among the others
+    int left, right, up, down; // to the patch there; at an edge to itself
+    // Left, above, right, below is an edge: of the sheet, beyond which lies the patch's own rim; or of what the group
+    // has, beyond which nothing is worth reading.
+    bvec4 edges;
 };
 
-Row row_of(int which, int number, vec4 own, Around around)
+Row row_of(int which, int number, Around around)
 {
-    // Beyond an edge lies what is there.
-    return Row(around.edges.x ? own.x : corners[which * ACROSS * DOWN + number + around.left], own,
-               around.edges.z ? own.w : rims[rim(RIM_ROWS + which, number + around.right)].x);
+    vec4 own = rims[rim(ROWS + which, number)];
+    return Row(around.edges.x ? own.x : corners[which * COUNT + number + around.left], own,
+               around.edges.z ? own.w : rims[rim(ROWS + which, number + around.right)].x);
+}
+
+Row catalyst_row_of(int which, int number, Around around)
+{
+    vec4 own = rims[rim(CATALYST_ROWS + which, number)];
+#ifdef WHOLE
+    return Row(around.edges.x ? own.x : rims[rim(CATALYST_ROWS + which, number + around.left)].w, own,
+               around.edges.z ? own.w : rims[rim(CATALYST_ROWS + which, number + around.right)].x);
+#else
+    return Row(0.0, own, 0.0);
+#endif
 }
 
 Rim look(int me, Around around)
 {
-    // Beyond an edge lies the patch's own rim.
-    int up = around.edges.y ? 0 : 1, down = around.edges.w ? 1 : 0;
-    int left = around.edges.x ? 0 : SIDES, right = around.edges.z ? SIDES : 0;
+    int up = around.edges.y ? 0 : 1, down = around.edges.w ? 1 : 0; // which row of the patch above, below
+    int left = around.edges.x ? 0 : 1, right = around.edges.z ? 1 : 0;
     Rim seen;
-    seen.above = row_of(up, me + around.up, rims[rim(RIM_ROWS + up, me + around.up)], around);
-    seen.below = row_of(down, me + around.down, rims[rim(RIM_ROWS + down, me + around.down)], around);
-    seen.y_above.own = rims[rim(RIM_ROWS + 2 + up, me + around.up)];
-    seen.y_below.own = rims[rim(RIM_ROWS + 2 + down, me + around.down)];
-    for (int i = 0; i < SIDES; i++) {
-        int first = RIM_COLUMNS + i;
-        seen.left[i] = rims[rim(first + left, me + around.left)];
-        seen.right[i] = rims[rim(first + right, me + around.right)];
-        seen.y_left[i] = rims[rim(first + 2 * SIDES + left, me + around.left)];
-        seen.y_right[i] = rims[rim(first + 2 * SIDES + right, me + around.right)];
-    }
-#ifdef WHOLE
-    int y_first = RIM_COLUMNS + 3 * SIDES, last = SIDES - 1;
-    int up_row = up == 1 ? last : 0, down_row = down == 1 ? last : 0, up_at = up == 1 ? 3 : 0, down_at = down == 1 ? 3 : 0;
-    seen.y_above.left = around.edges.x ? seen.y_above.own.x : rims[rim(y_first + up_row, me + around.up + around.left)][up_at];
-    seen.y_below.left = around.edges.x ? seen.y_below.own.x : rims[rim(y_first + down_row, me + around.down + around.left)][down_at];
-    seen.y_above.right = around.edges.z ? seen.y_above.own.w : rims[rim(RIM_ROWS + 2 + up, me + around.up + around.right)].x;
-    seen.y_below.right = around.edges.z ? seen.y_below.own.w : rims[rim(RIM_ROWS + 2 + down, me + around.down + around.right)].x;
-#endif
+    seen.above = row_of(up, me + around.up, around);
+    seen.below = row_of(down, me + around.down, around);
+    seen.y_above = catalyst_row_of(up, me + around.up, around);
+    seen.y_below = catalyst_row_of(down, me + around.down, around);
+    seen.left = rims[rim(COLUMNS + left, me + around.left)];
+    seen.right = rims[rim(COLUMNS + right, me + around.right)];
+    seen.y_left = rims[rim(CATALYST_COLUMNS + left, me + around.left)];
+    seen.y_right = rims[rim(CATALYST_COLUMNS + right, me + around.right)];
     return seen;
 }
 
@@ -211,22 +202,29 @@ uint compare(int at, vec4 a, vec4 y, vec4 p, int kept)
     return found.x | found.y | found.z | found.w;
 }
 
-void main()
+Around around_of(ivec2 place, ivec2 cell)
 {
-    int tile = int(tiles[listed(pass.y, pass.x + int(gl_WorkGroupID.x))]);
-    ivec2 corner = ivec2(tile % tile_counts.x, tile / tile_counts.x) * TILE - APRON;
-    ivec2 place = ivec2(gl_LocalInvocationID.xy), cell = corner + place * ivec2(4, ROWS);
-    int me = place.y * ACROSS + place.x, word = word_of(cell) >> 2, plane = planes.w >> 2;
-    ivec3 kept = ivec3(clamp(planes.xy - cell, ivec2(1), ivec2(4, ROWS)), clamp(-cell.y, 0, ROWS - 1));
     Around around;
-    around.edges = bvec4(place.x == 0 || cell.x == 0, place.y == 0 || cell.y <= 0 && cell.y > -ROWS, place.x == ACROSS - 1 || cell.x + 4 >= planes.x,
-                         place.y == DOWN - 1 || cell.y + ROWS >= planes.y);
+    around.edges = bvec4(place.x == 0 || cell.x == 0, place.y == 0 || cell.y == 0,
+                         place.x == PATCHES - 1 || cell.x + PATCH >= planes.x,
+                         place.y == PATCHES - 1 || cell.y + PATCH >= planes.y);
     around.left = around.edges.x ? 0 : -1;
     around.right = around.edges.z ? 0 : 1;
-    around.up = around.edges.y ? 0 : -ACROSS;
-    around.down = around.edges.w ? 0 : ACROSS;
-    vec4 a[ROWS], y[ROWS], p[ROWS];
-    for (int r = 0; r < ROWS; r++) {
+    around.up = around.edges.y ? 0 : -PATCHES;
+    around.down = around.edges.w ? 0 : PATCHES;
+    return around;
+}
+
+void main()
+{
+    int tile = listed_tile();
+    ivec2 corner = corner_of(tile) - APRON;
+    ivec2 place = ivec2(gl_LocalInvocationID.xy), cell = corner + place * PATCH;
+    int me = place.y * PATCHES + place.x, word = word_of(cell) >> 2, plane = planes.w >> 2;
+    ivec2 kept = clamp(planes.xy - cell, 1, PATCH);
+    Around around = around_of(place, cell);
+    vec4 a[PATCH], y[PATCH], p[PATCH];
+    for (int r = 0; r < PATCH; r++) {
         int at = word + r * (planes.z >> 2);
         a[r] = from[ACTIVE * plane + at];
         y[r] = from[CATALYST * plane + at];
@@ -239,7 +237,7 @@ void main()
         noted = 0u;
     }
     PREPARE_GROUND
-    for (int step = 0; step < pass.z; step++) {
+    for (int step = 0; step < work.z; step++) {
         show_rims(me, a, y);
         memoryBarrierShared();
         barrier();
@@ -250,18 +248,17 @@ void main()
         end_patch(a, kept);
         end_patch(y, kept);
     }
-    if (place.x > 0 && place.x < ACROSS - 1 && all(lessThan(cell, planes.xy))) {
+    bool inside = all(greaterThan(place, ivec2(0))) && all(lessThan(place, ivec2(PATCHES - 1)));
+    if (inside && all(lessThan(cell, planes.xy))) {
         uint bits = 0u;
-        for (int r = 0; r < ROWS; r++) {
-            int at = word + r * (planes.z >> 2), row = place.y * ROWS + r - APRON; // of the tile
-            if (row >= 0 && row < TILE) {
-                bits |= r >= kept.z && r < kept.y ? compare(at, a[r], y[r], p[r], kept.x) : 0u;
-                to[ACTIVE * plane + at] = a[r];
-                to[CATALYST * plane + at] = y[r];
-                to[CARVED * plane + at] = p[r];
-            }
+        for (int r = 0; r < PATCH; r++) {
+            int at = word + r * (planes.z >> 2);
+            bits |= r < kept.y ? compare(at, a[r], y[r], p[r], kept.x) : 0u;
+            to[ACTIVE * plane + at] = a[r];
+            to[CATALYST * plane + at] = y[r];
+            to[CARVED * plane + at] = p[r];
         }
-        bits = pass.w == 1 ? bits : bits & ~BIT_ALIVE;
+        bits = work.w == 1 ? bits : bits & ~BIT_ALIVE;
         if (bits != 0u) {
             atomicOr(noted, bits);
         }

@@ -4,28 +4,24 @@
 #define PREPARE_GROUND
 #define STEP_PATCH step_patch(a, y, p, seen, rates);
 
-void step_patch(inout vec4 a[ROWS], inout vec4 y[ROWS], inout vec4 p[ROWS], Rim seen, Rates rates)
+void step_patch(inout vec4 a[PATCH], inout vec4 y[PATCH], inout vec4 p[PATCH], Rim seen, Rates rates)
 {
     Row up = Row(seen.above.left * seen.above.left, seen.above.own * seen.above.own,
                  seen.above.right * seen.above.right);
     vec4 y_up = seen.y_above.own;
-    vec4 left[SIDES], right[SIDES];
-    for (int i = 0; i < SIDES; i++) {
-        left[i] = seen.left[i] * seen.left[i];
-        right[i] = seen.right[i] * seen.right[i];
-    }
-    Row own = Row(left[0].x, a[0] * a[0], right[0].x);
-    for (int r = 0; r < ROWS; r++) {
+    vec4 left = seen.left * seen.left, right = seen.right * seen.right;
+    Row own = Row(left[0], a[0] * a[0], right[0]);
+    for (int r = 0; r < PATCH; r++) {
         Row down = Row(seen.below.left * seen.below.left, seen.below.own * seen.below.own,
                        seen.below.right * seen.below.right);
         vec4 y_own = y[r], y_down = seen.y_below.own;
-        if (r < ROWS - 1) {
-            down = Row(left[(r + 1) >> 2][(r + 1) & 3], a[r + 1] * a[r + 1], right[(r + 1) >> 2][(r + 1) & 3]);
+        if (r < PATCH - 1) {
+            down = Row(left[r + 1], a[r + 1] * a[r + 1], right[r + 1]);
             y_down = y[r + 1];
         }
         Row sums = Row(up.left + down.left, up.own + down.own, up.right + down.right);
         vec4 axes = sums.own + (lefts(own) + rights(own)), diagonals = lefts(sums) + rights(sums);
-        vec4 y_axes = (y_up + y_down) + (vec4(seen.y_left[r >> 2][r & 3], y_own.xyz) + vec4(y_own.yzw, seen.y_right[r >> 2][r & 3]));
+        vec4 y_axes = (y_up + y_down) + (vec4(seen.y_left[r], y_own.xyz) + vec4(y_own.yzw, seen.y_right[r]));
         vec4 d_a = rates.diffusion[r] * laplacian(axes, diagonals, own.own, rates.weight[r]);
         vec4 d_y = rates.catalyst[r] * (y_axes - 4.0 * y_own);
         grow(a[r], y[r], p[r], d_a, d_y, rates.growth[r], vec4(0.0));
@@ -75,15 +71,15 @@ vec4 raised(vec4 a)
 
 // Obstacles of the patch and of the cells around it: rows of six bits, the first above left. Guidance.
 struct Ground {
-    uint closed[ROWS + 2];
-    vec4 guide_x[ROWS], guide_y[ROWS];
+    uint closed[PATCH + 2];
+    vec4 guide_x[PATCH], guide_y[PATCH];
 };
 
-shared uint closed_rims[ACROSS * DOWN];
+shared uint closed_rims[COUNT];
 
 void load_ground(out Ground ground, int word)
 {
-    for (int r = 0; r < ROWS; r++) {
+    for (int r = 0; r < PATCH; r++) {
         int at = word + r * (planes.z >> 2), p = planes.w >> 2;
         uvec4 rest = sheet[ALPHA_Y_REST * p + at] >> 24, guide = sheet[GUIDE * p + at];
         bvec4 closed = notEqual(rest, uvec4(0u));
@@ -92,25 +88,22 @@ void load_ground(out Ground ground, int word)
         ground.guide_x[r] = vec4(ivec4(guide << 16) >> 16) * UNIT_GUIDE;
         ground.guide_y[r] = vec4(ivec4(guide) >> 16) * UNIT_GUIDE;
     }
-    ground.closed[0] = ground.closed[ROWS + 1] = 0u;
+    ground.closed[0] = ground.closed[PATCH + 1] = 0u;
 }
 
 // Rows beyond the sheet are as the last on it, columns beyond it are open.
-void end_ground(inout uint closed[ROWS + 2], ivec3 kept)
+void end_ground(inout uint closed[PATCH + 2], ivec2 kept)
 {
-    for (int r = APRON - 1; ROWS > APRON && r >= 0; r--) {
-        closed[r + 1] = r < kept.z ? closed[r + 2] : closed[r + 1];
-    }
-    for (int r = 1; r < ROWS; r++) {
+    for (int r = 1; r < PATCH; r++) {
         closed[r + 1] = kept.y <= r ? closed[r] : closed[r + 1];
     }
 }
 
 // The patch's obstacles, four bits a row, packed for its neighbours.
-uint pack_closed(uint closed[ROWS + 2])
+uint pack_closed(uint closed[PATCH + 2])
 {
     uint packed_rows = 0u;
-    for (int r = 0; r < ROWS; r++) {
+    for (int r = 0; r < PATCH; r++) {
         packed_rows |= (closed[r + 1] >> 1 & 15u) << (4 * r);
     }
     return packed_rows;
@@ -130,11 +123,11 @@ void look_at_ground(inout Ground ground, int me, Around around)
     closed_rims[me] = pack_closed(ground.closed);
     memoryBarrierShared();
     barrier();
-    for (int r = 0; r < ROWS; r++) {
+    for (int r = 0; r < PATCH; r++) {
         ground.closed[r + 1] = closed_row(me, r, around);
     }
-    ground.closed[0] = closed_row(me + around.up, around.edges.y ? 0 : ROWS - 1, around);
-    ground.closed[ROWS + 1] = closed_row(me + around.down, around.edges.w ? ROWS - 1 : 0, around);
+    ground.closed[0] = closed_row(me + around.up, around.edges.y ? 0 : PATCH - 1, around);
+    ground.closed[PATCH + 1] = closed_row(me + around.down, around.edges.w ? PATCH - 1 : 0, around);
     memoryBarrierShared();
     barrier();
 }
@@ -190,19 +183,19 @@ void step_row(inout vec4 a, inout vec4 y, inout vec4 p, Row a_rows[3], Row y_row
     p = seen_as(p_new, closed.y >> 1, p);
 }
 
-void step_patch(inout vec4 a[ROWS], inout vec4 y[ROWS], inout vec4 p[ROWS], Rim seen, Rates rates, Ground ground)
+void step_patch(inout vec4 a[PATCH], inout vec4 y[PATCH], inout vec4 p[PATCH], Rim seen, Rates rates, Ground ground)
 {
     Row a_rows[3], y_rows[3];
     a_rows[0] = seen.above;
-    a_rows[1] = Row(seen.left[0].x, a[0], seen.right[0].x);
+    a_rows[1] = Row(seen.left[0], a[0], seen.right[0]);
     y_rows[0] = seen.y_above;
-    y_rows[1] = Row(seen.y_left[0].x, y[0], seen.y_right[0].x);
-    for (int r = 0; r < ROWS; r++) {
+    y_rows[1] = Row(seen.y_left[0], y[0], seen.y_right[0]);
+    for (int r = 0; r < PATCH; r++) {
         a_rows[2] = seen.below;
         y_rows[2] = seen.y_below;
-        if (r < ROWS - 1) {
-            a_rows[2] = Row(seen.left[(r + 1) >> 2][(r + 1) & 3], a[r + 1], seen.right[(r + 1) >> 2][(r + 1) & 3]);
-            y_rows[2] = Row(seen.y_left[(r + 1) >> 2][(r + 1) & 3], y[r + 1], seen.y_right[(r + 1) >> 2][(r + 1) & 3]);
+        if (r < PATCH - 1) {
+            a_rows[2] = Row(seen.left[r + 1], a[r + 1], seen.right[r + 1]);
+            y_rows[2] = Row(seen.y_left[r + 1], y[r + 1], seen.y_right[r + 1]);
         }
         vec4 rates_here[4];
         rates_here[0] = rates.diffusion[r];
