@@ -18,6 +18,7 @@
 #ifndef FROND_PAINTING_GPU_STATE_H
 #define FROND_PAINTING_GPU_STATE_H
 
+#include "ground.h"
 #include "painting_gpu.h"
 #include "rectangle.h"
 
@@ -59,16 +60,19 @@ enum {
     GPU_CHUNKS_MOST = 64,
     GPU_HEAD_COUNT = 0,  /* + enum gpu_tile_list: tiles in it */
     GPU_HEAD_QUIET = 3,  /* quiet periods, as in sim/painting_state.h: upkeep counts them, the dead band follows */
-    GPU_HEAD_UPKEEP = 4, /* 16 words for the upkeep's own sums */
+    GPU_HEAD_CARVED = 4, /* carved cells when last counted; words up to 20 are free */
     /* + (list * GPU_CHUNKS_MOST + chunk) * 3: arguments of an indirect dispatch */
     GPU_HEAD_DISPATCH = 20,
     GPU_HEAD_WORDS = GPU_HEAD_DISPATCH + LIST_COUNT * GPU_CHUNKS_MOST * 3,
 };
 enum gpu_tile_array {
-    TILES_FLAGS, /* enum gpu_tile_bit: what has been noted since it was last looked at */
-    TILES_SEEN,  /* scratch: the flags while lists are made */
-    TILES_LIST,  /* + enum gpu_tile_list: numbers of tiles */
-    TILES_ARRAYS = TILES_LIST + LIST_COUNT,
+    TILES_FLAGS,                             /* enum gpu_tile_bit: what has been noted since it was last looked at */
+    TILES_SEEN,                              /* scratch: the flags while lists are made */
+    TILES_LIST,                              /* + enum gpu_tile_list: numbers of tiles */
+    TILES_COUNTED = TILES_LIST + LIST_COUNT, /* carved cells of the tile when last counted */
+    TILES_EVAPORATED, /* float: solvent that has left the tile since the sums began (painting_gpu.evaporated) */
+    TILES_DRIED,      /* float: ink that has dried out of its liquid */
+    TILES_ARRAYS,
 };
 /* Bits of a tile's flags: those of sim/tiles.h, which says what each means. */
 enum gpu_tile_bit {
@@ -101,9 +105,10 @@ struct painting_gpu {
     unsigned fluid[2], pattern[2], sheet, tiles; /* GL buffers */
     unsigned stage;                              /* GL buffer: a rectangle on its way to or from memory */
     size_t stage_bytes;
-    int fluid_now, pattern_now; /* which of the two holds the state */
-    struct gpu_planes *planes;  /* programs of painting_gpu.c */
-    struct gpu_steps *steps;    /* programs and scratch of painting_gpu_steps.c, and so on */
+    int fluid_now, pattern_now;   /* which of the two holds the state */
+    double evaporated, ink_dried; /* before the sums of the tiles began: what a checkpoint brought */
+    struct gpu_planes *planes;    /* programs of painting_gpu.c */
+    struct gpu_steps *steps;      /* programs and scratch of painting_gpu_steps.c, and so on */
     struct gpu_act *act;
     struct gpu_upkeep *upkeep;
     struct gpu_read *read;
@@ -170,5 +175,41 @@ void gpu_steps_mark(struct painting_gpu *gpu, struct rectangle cells, unsigned b
 void gpu_steps_stir(struct painting_gpu *gpu);
 /* Reads back: of the last tick. */
 struct painting_effort gpu_steps_effort(const struct painting_gpu *gpu);
+
+/* The other parts of the engine: each made, made anew (with an error the old programs stay) and destroyed (one that was
+ * never made, or half, is taken too). */
+bool gpu_act_create(struct painting_gpu *gpu, struct shader_error *error);
+bool gpu_act_reload(struct painting_gpu *gpu, struct shader_error *error);
+void gpu_act_destroy(struct painting_gpu *gpu);
+/* As painting_act. */
+void gpu_act(struct painting_gpu *gpu, const struct action *action);
+/* The whole ground from the CPU's copy. False when the GPU does not answer. */
+bool gpu_act_upload_ground(struct painting_gpu *gpu);
+
+bool gpu_upkeep_create(struct painting_gpu *gpu, struct shader_error *error);
+bool gpu_upkeep_reload(struct painting_gpu *gpu, struct shader_error *error);
+void gpu_upkeep_destroy(struct painting_gpu *gpu);
+/* As painting_upkeep: every GPU_UPKEEP_TICKS ticks, at the end of one. Waits for nothing. */
+void gpu_upkeep_run(struct painting_gpu *gpu);
+enum { GPU_UPKEEP_TICKS = 64 };
+
+bool gpu_read_create(struct painting_gpu *gpu, struct shader_error *error);
+bool gpu_read_reload(struct painting_gpu *gpu, struct shader_error *error);
+void gpu_read_destroy(struct painting_gpu *gpu);
+/* Rows of the ground have changed: the rolling checkpoint keeps a copy of it. */
+void gpu_read_note_ground(struct painting_gpu *gpu, struct rectangle cells);
+/* As the functions of engine_ops of these names. */
+void gpu_read_field(struct painting_gpu *gpu, enum painting_field field, float *plane);
+struct painting_totals gpu_read_totals(struct painting_gpu *gpu);
+size_t gpu_read_bytes_taken(const struct painting_gpu *gpu);
+bool gpu_save(struct painting_gpu *gpu, struct checkpoint *checkpoint);
+bool gpu_load(struct painting_gpu *gpu, const struct checkpoint *checkpoint);
+
+/* Compute programs, one each of `parts`; all anew or, with an error, all as they were. Old ones are deleted. */
+struct gpu_program_part {
+    const char *name, *defines; /* as program_compute takes them */
+};
+bool gpu_make_programs(const struct painting_gpu *gpu, const struct gpu_program_part *parts, int count,
+                       unsigned *programs, struct shader_error *error);
 
 #endif

@@ -3,6 +3,8 @@
 // at the rim of that has not reached the tile after four. An invocation holds a patch of 4 x 4 cells, in rows of four;
 // patches show each other their rims through shared memory.
 // WHOLE: with obstacles, guidance, any stencil and any k. Without: free ground, the isotropic stencil, k = 2.
+#variant
+#variant WHOLE
 #include "planes.glsl"
 #include "work.glsl"
 

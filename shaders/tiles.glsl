@@ -18,7 +18,7 @@ const int LIST_CHUNK = 512;
 const int CHUNKS_MOST = 64;
 const int HEAD_COUNT = 0;
 const int HEAD_QUIET = 3;
-const int HEAD_UPKEEP = 4;
+const int HEAD_CARVED = 4;
 const int HEAD_DISPATCH = 20;
 const int HEAD_WORDS = HEAD_DISPATCH + LIST_COUNT * CHUNKS_MOST * 3;
 
@@ -43,4 +43,20 @@ int seen_of(int tile)
 int listed(int list, int place)
 {
     return HEAD_WORDS + (2 + list) * tile_counts.x * tile_counts.y + place;
+}
+
+// The upkeep's words of a tile: carved cells; solvent that has evaporated and ink that has dried, floats.
+int counted_of(int tile)
+{
+    return HEAD_WORDS + (2 + LIST_COUNT) * tile_counts.x * tile_counts.y + tile;
+}
+
+int evaporated_of(int tile)
+{
+    return HEAD_WORDS + (3 + LIST_COUNT) * tile_counts.x * tile_counts.y + tile;
+}
+
+int dried_of(int tile)
+{
+    return HEAD_WORDS + (4 + LIST_COUNT) * tile_counts.x * tile_counts.y + tile;
 }
