@@ -1,7 +1,7 @@
 // One LBM step of both fluids and the wet pigment (eq. 7-12, 14): the equations of sim/kernel.c, where the departures
 // from the paper stand. A group a tile, a cell an invocation at a time.
 #include "planes.glsl"
-#include "tiles.glsl"
+#include "work.glsl"
 layout(local_size_x = 32, local_size_y = 4) in;
 
 layout(std430, binding = 0) readonly buffer From
@@ -17,9 +17,7 @@ layout(std430, binding = 2) buffer Sheet
     uint sheet[];
 };
 
-layout(location = 2) uniform int chunk;   // place in the list of the first group's tile
 layout(location = 3) uniform vec4 liquid; // omega, 1 / mu, gamma, delta
-layout(location = 4) uniform int last;    // 1: the last step of the tick
 
 const float UNIT_S_MAX = 1.0 / 32768.0;
 const uint CALM_PERIODS = 24u;
@@ -158,7 +156,7 @@ uint step_cell(int word, float band)
     collide(INK, word, ink, clamp(ink_u, -0.35, 0.35));
     carry(word, ink, ink_u, ink_open);
     uint bits = solvent.moved || ink.moved ? BIT_FLOWS | BIT_WET | BIT_DAMP : 0u;
-    if (last == 1 && feed(word, solvent.density)) {
+    if (work.w == 1 && feed(word, solvent.density)) {
         bits |= BIT_FED;
     }
     return bits;
@@ -174,8 +172,8 @@ float dead_band()
 
 void main()
 {
-    int tile = int(tiles[listed(LIST_FLUID, chunk + int(gl_WorkGroupID.x))]);
-    ivec2 corner = ivec2(tile % tile_counts.x, tile / tile_counts.x) * TILE;
+    int tile = listed_tile();
+    ivec2 corner = corner_of(tile);
     float band = dead_band();
     if (gl_LocalInvocationIndex == 0u) {
         noted = 0u;

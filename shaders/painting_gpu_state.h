@@ -20,6 +20,7 @@
 
 #include "ground.h"
 #include "painting_gpu.h"
+#include "rectangle.h"
 
 enum {
     GPU_TILE = 32,         /* cells a side of what sleeps and wakes together */
@@ -157,6 +158,9 @@ bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error);
 void gpu_steps_destroy(struct painting_gpu *gpu); /* takes one that has none */
 /* Programs anew; with an error the old ones stay. */
 bool gpu_steps_reload(struct painting_gpu *gpu, struct shader_error *error);
+/* Which program makes the pattern of free ground: pattern_strip.comp, or pattern.comp. The first is chosen where GL
+ * runs on the processor. */
+void gpu_steps_prefer_strips(struct painting_gpu *gpu, bool strips);
 /* fluid_steps and pattern_steps of now, no upkeep; gpu->tick goes on by one. Waits for nothing. */
 void gpu_steps_tick(struct painting_gpu *gpu);
 /* The two halves of it, for those who measure them. */
