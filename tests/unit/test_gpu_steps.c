@@ -24,6 +24,7 @@
 
 #include <GLES3/gl31.h>
 
+#include "bench_gpu.h"
 #include "gpu_case.h"
 #include "painting_gpu_state.h"
 
@@ -480,6 +481,29 @@ static void sources_are_reloaded(void **state)
     remove_sources(folder);
 }
 
+/* Counted figures hang together, measured ones are there. */
+static void layers_are_measured(void **state)
+{
+    (void)state;
+    struct display *display = gpu_display();
+    struct bench_gpu bench[2];
+    struct shader_error error = {""};
+    for (int strips = 0; strips < 2; strips++) {
+        assert_true(bench_gpu_run(&bench[strips], 64, strips, &error));
+        assert_int_equal(bench[strips].strips, strips);
+        for (int i = 0; i < BENCH_GPU_LAYERS; i++) {
+            const struct bench_gpu_layer *layer = &bench[strips].layers[i];
+            assert_true(layer->wall_ms > 0 && layer->cpu_ms > 0);
+            assert_true(layer->bytes >= 24 * layer->steps || i == BENCH_GPU_PATTERN);
+            assert_true(layer->operations >= 8 * layer->steps);
+        }
+    }
+    /* Four steps in a pass ask less of memory than two, for a wider rim that is computed in vain. */
+    assert_true(bench[0].layers[BENCH_GPU_PATTERN].bytes < bench[1].layers[BENCH_GPU_PATTERN].bytes);
+    assert_true(bench[0].layers[BENCH_GPU_PATTERN].bytes > 2 * 40);
+    display_destroy(display);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -488,7 +512,7 @@ int main(void)
         cmocka_unit_test(any_coefficients_are_the_same), cmocka_unit_test(quiet_widens_the_dead_band),
         cmocka_unit_test(sleeping_changes_no_bit),       cmocka_unit_test(sleeping_tiles_are_held_twice),
         cmocka_unit_test(a_sheet_too_large_is_refused),  cmocka_unit_test(nothing_is_left_behind),
-        cmocka_unit_test(sources_are_reloaded),
+        cmocka_unit_test(sources_are_reloaded),          cmocka_unit_test(layers_are_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
