@@ -23,6 +23,7 @@ enum steps_program {
     PROGRAM_STIR,
     PROGRAM_OPENNESS,
     PROGRAM_FLUID,
+    PROGRAM_FLUID_STRIP,
     PROGRAM_PATCH,
     PROGRAM_PATCH_WHOLE,
     PROGRAM_STRIP,
@@ -37,6 +38,7 @@ static const struct {
     [PROGRAM_STIR] = {"stir.comp", NULL},
     [PROGRAM_OPENNESS] = {"openness.comp", NULL},
     [PROGRAM_FLUID] = {"fluid.comp", NULL},
+    [PROGRAM_FLUID_STRIP] = {"fluid_strip.comp", NULL},
     [PROGRAM_PATCH] = {"pattern.comp", NULL},
     [PROGRAM_PATCH_WHOLE] = {"pattern.comp", "#define WHOLE"},
     [PROGRAM_STRIP] = {"pattern_strip.comp", NULL},
@@ -187,7 +189,7 @@ void gpu_steps_flow(struct painting_gpu *gpu)
 {
     const struct coefficients *c = &gpu->def.coefficients;
     gpu_steps_open(gpu);
-    use(gpu, PROGRAM_FLUID);
+    use(gpu, gpu->steps->strips ? PROGRAM_FLUID_STRIP : PROGRAM_FLUID);
     glUniform4f(3, c->omega, 1.0f / c->mu, c->gamma, c->delta);
     for (int step = 1; step <= c->fluid_steps; step++) {
         gpu_bind(gpu, BUFFER_FLUID);
