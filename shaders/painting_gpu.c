@@ -278,6 +278,7 @@ void gpu_destroy(struct painting_gpu *gpu)
     if (!gpu) {
         return;
     }
+    glUseProgram(0); /* a program in use outlives its deletion */
     gpu_steps_destroy(gpu);
     if (gpu->planes) {
         glDeleteProgram(gpu->planes->fill);

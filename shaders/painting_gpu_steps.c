@@ -1,9 +1,9 @@
 /* A tick on the GPU: for each layer a list of the tiles that are awake, made by the GPU itself, then passes over it.
  *
- * No dispatch is long. One covers at most GPU_LIST_CHUNK = 512 tiles, half a million cells. A fluid step of a cell
- * reads and writes some 190 bytes that must reach memory and does some 300 operations; a pass of four pattern steps
- * some 50 bytes and 500 operations (bench_gpu.h counts them). The slowest target makes 5 GB/s and 3.9 GFLOPS: 512 tiles
- * are 40 ms of a fluid step and 67 ms of a pattern pass there, of the 100 ms that a dispatch may take. */
+ * No dispatch is long. One covers at most GPU_LIST_CHUNK = 128 tiles, 131072 cells. The slowest target does 3.9 GFLOPS
+ * and moves 5 GB/s. A fluid step does 440 operations a cell and moves 196 bytes (bench_gpu.c counts them): 15 ms a
+ * dispatch, of the 100 ms that it may take. A pass of four pattern steps on free ground does 350 operations: 12 ms; on
+ * any ground about 1000, and 2000 where k is not 2: 67 ms. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,6 +23,7 @@ enum steps_program {
     PROGRAM_STIR,
     PROGRAM_OPENNESS,
     PROGRAM_FLUID,
+    PROGRAM_FLUID_STRIP,
     PROGRAM_PATCH,
     PROGRAM_PATCH_WHOLE,
     PROGRAM_STRIP,
@@ -37,6 +38,7 @@ static const struct {
     [PROGRAM_STIR] = {"stir.comp", NULL},
     [PROGRAM_OPENNESS] = {"openness.comp", NULL},
     [PROGRAM_FLUID] = {"fluid.comp", NULL},
+    [PROGRAM_FLUID_STRIP] = {"fluid_strip.comp", NULL},
     [PROGRAM_PATCH] = {"pattern.comp", NULL},
     [PROGRAM_PATCH_WHOLE] = {"pattern.comp", "#define WHOLE"},
     [PROGRAM_STRIP] = {"pattern_strip.comp", NULL},
@@ -101,6 +103,11 @@ bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error)
 void gpu_steps_prefer_strips(struct painting_gpu *gpu, bool strips)
 {
     gpu->steps->strips = strips;
+}
+
+bool gpu_steps_has_strips(const struct painting_gpu *gpu)
+{
+    return gpu->steps->strips;
 }
 
 void gpu_steps_destroy(struct painting_gpu *gpu)
@@ -171,13 +178,18 @@ static void make_openness(const struct painting_gpu *gpu)
     barrier();
 }
 
-void gpu_steps_flow(struct painting_gpu *gpu)
+void gpu_steps_open(struct painting_gpu *gpu)
 {
     static const unsigned BITS[3] = {BIT_FLOWS, BIT_OPENED, BIT_WET};
-    const struct coefficients *c = &gpu->def.coefficients;
     wake(gpu, BITS, LIST_FLUID, LIST_FLUID, false);
     make_openness(gpu);
-    use(gpu, PROGRAM_FLUID);
+}
+
+void gpu_steps_flow(struct painting_gpu *gpu)
+{
+    const struct coefficients *c = &gpu->def.coefficients;
+    gpu_steps_open(gpu);
+    use(gpu, gpu->steps->strips ? PROGRAM_FLUID_STRIP : PROGRAM_FLUID);
     glUniform4f(3, c->omega, 1.0f / c->mu, c->gamma, c->delta);
     for (int step = 1; step <= c->fluid_steps; step++) {
         gpu_bind(gpu, BUFFER_FLUID);

@@ -28,7 +28,9 @@ layout(std430, binding = 2) readonly buffer Sheet
 
 layout(location = 3) uniform vec4 growth;  // 1 - dt beta_p, dt beta_p, dt beta_y, seam
 layout(location = 4) uniform vec4 scales;  // of alpha_a, beta_a, alpha_y in their units, times dt; delta
+#ifdef WHOLE
 layout(location = 5) uniform vec4 stencil; // diagonal weight, < 0: of the map; of the catalyst; k; dt beta_v / 2
+#endif
 
 const float UNIT_XI = 1.0 / 16384.0;
 const float UNIT_S_MAX = 1.0 / 32768.0;
@@ -61,7 +63,10 @@ Rates load_rates(int word)
         rates.diffusion[r] = mix(vec4(0.0), diffusion, greaterThan(density, vec4(scales.w)));
         rates.growth[r] = (vec4(second & 0xffffu) * scales.y) * min(density, vec4(second >> 16) * UNIT_S_MAX);
         rates.catalyst[r] = min(vec4(third & 0xffffu) * scales.z, vec4(0.24));
-        rates.weight[r] = stencil.x >= 0.0 ? vec4(stencil.x) : vec4(third >> 16 & 0xffu) * UNIT_WEIGHT;
+        rates.weight[r] = vec4(third >> 16 & 0xffu) * UNIT_WEIGHT;
+#ifdef WHOLE
+        rates.weight[r] = stencil.x >= 0.0 ? vec4(stencil.x) : rates.weight[r];
+#endif
     }
     return rates;
 }
