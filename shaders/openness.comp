@@ -1,7 +1,7 @@
 // Openness of both fluids for this tick: 1 - kappa (section 4.2), in sim/kernel.c `open` and `flood`. A group makes a
 // tile and the cells around it: those of a tile that sleeps may be out of date.
 #include "planes.glsl"
-#include "tiles.glsl"
+#include "work.glsl"
 layout(local_size_x = 128) in;
 
 layout(std430, binding = 0) readonly buffer Pattern
@@ -17,7 +17,6 @@ layout(std430, binding = 2) buffer Sheet
     uint sheet[];
 };
 
-layout(location = 2) uniform int chunk; // place in the list of the first group's tile
 layout(location = 3) uniform float flood; // ink density; 0: none
 
 const int ACROSS = TILE + 2;
@@ -33,8 +32,8 @@ float flooded(int word, float catalyst)
 
 void main()
 {
-    int tile = int(tiles[listed(LIST_FLUID, chunk + int(gl_WorkGroupID.x))]);
-    ivec2 corner = ivec2(tile % tile_counts.x, tile / tile_counts.x) * TILE - 1;
+    int tile = listed_tile();
+    ivec2 corner = corner_of(tile) - 1;
     for (int i = int(gl_LocalInvocationIndex); i < ACROSS * ACROSS; i += 128) {
         ivec2 cell = corner + ivec2(i % ACROSS, i / ACROSS);
         if (on_sheet(cell)) {

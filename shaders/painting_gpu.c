@@ -148,6 +148,7 @@ bool gpu_write_planes(struct painting_gpu *gpu, enum gpu_buffer kind, int first,
                       const void *words)
 {
     size_t bytes = (size_t)(at.x1 - at.x0) * (size_t)(at.y1 - at.y0) * sizeof(uint32_t);
+    status_of(); /* errors of others are theirs */
     if (!make_stage(gpu, bytes)) {
         return false;
     }
@@ -175,6 +176,7 @@ bool gpu_read_planes(struct painting_gpu *gpu, enum gpu_buffer kind, int first, 
                      void *words)
 {
     size_t bytes = (size_t)(at.x1 - at.x0) * (size_t)(at.y1 - at.y0) * sizeof(uint32_t);
+    status_of(); /* errors of others are theirs */
     bool good = make_stage(gpu, bytes);
     for (int i = 0; good && i < count; i++) {
         copy_rectangle(gpu, kind, first + i, at, false);
@@ -276,6 +278,7 @@ void gpu_destroy(struct painting_gpu *gpu)
     if (!gpu) {
         return;
     }
+    glUseProgram(0); /* a program in use outlives its deletion */
     gpu_steps_destroy(gpu);
     if (gpu->planes) {
         glDeleteProgram(gpu->planes->fill);

@@ -56,8 +56,8 @@ enum gpu_tile_list {
     LIST_COUNT,
 };
 enum {
-    GPU_LIST_CHUNK = 512, /* tiles of one dispatch: see painting_gpu_steps.c */
-    GPU_CHUNKS_MOST = 64,
+    GPU_LIST_CHUNK = 128, /* tiles of one dispatch: see painting_gpu_steps.c */
+    GPU_CHUNKS_MOST = 168,
     GPU_HEAD_COUNT = 0,  /* + enum gpu_tile_list: tiles in it */
     GPU_HEAD_QUIET = 3,  /* quiet periods, as in sim/painting_state.h: upkeep counts them, the dead band follows */
     GPU_HEAD_CARVED = 4, /* carved cells when last counted; words up to 20 are free */
@@ -158,9 +158,15 @@ bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error);
 void gpu_steps_destroy(struct painting_gpu *gpu); /* takes one that has none */
 /* Programs anew; with an error the old ones stay. */
 bool gpu_steps_reload(struct painting_gpu *gpu, struct shader_error *error);
+/* Which program makes the pattern of free ground: pattern_strip.comp, or pattern.comp. The first is chosen where GL
+ * runs on the processor. */
+void gpu_steps_prefer_strips(struct painting_gpu *gpu, bool strips);
+bool gpu_steps_has_strips(const struct painting_gpu *gpu);
 /* fluid_steps and pattern_steps of now, no upkeep; gpu->tick goes on by one. Waits for nothing. */
 void gpu_steps_tick(struct painting_gpu *gpu);
-/* The two halves of it, for those who measure them. */
+/* The two halves of it, and what comes first in the first of them (the list of tiles and their openness), for those who
+ * measure them. */
+void gpu_steps_open(struct painting_gpu *gpu);
 void gpu_steps_flow(struct painting_gpu *gpu);
 void gpu_steps_grow(struct painting_gpu *gpu);
 /* As painting_touch: everything in the tiles of these cells wakes, the painting is no longer quiet, and calm liquid is
@@ -180,8 +186,8 @@ bool gpu_act_reload(struct painting_gpu *gpu, struct shader_error *error);
 void gpu_act_destroy(struct painting_gpu *gpu);
 /* As painting_act. */
 void gpu_act(struct painting_gpu *gpu, const struct action *action);
-/* The whole ground from the CPU's copy. False when the GPU does not answer. */
-bool gpu_act_upload_ground(struct painting_gpu *gpu);
+/* The whole ground from the CPU's copy. */
+void gpu_act_upload_ground(struct painting_gpu *gpu);
 
 bool gpu_upkeep_create(struct painting_gpu *gpu, struct shader_error *error);
 bool gpu_upkeep_reload(struct painting_gpu *gpu, struct shader_error *error);

@@ -1,17 +1,21 @@
 /* A tick on the GPU: for each layer a list of the tiles that are awake, made by the GPU itself, then passes over it.
  *
- * No dispatch is long. One covers at most GPU_LIST_CHUNK = 512 tiles, half a million cells. A fluid step of a cell
- * reads and writes some 190 bytes that must reach memory and does some 300 operations; a pass of four pattern steps
- * some 50 bytes and 500 operations (bench_gpu.h counts them). The slowest target makes 5 GB/s and 3.9 GFLOPS: 512 tiles
- * are 40 ms of a fluid step and 67 ms of a pattern pass there, of the 100 ms that a dispatch may take. */
+ * No dispatch is long. One covers at most GPU_LIST_CHUNK = 128 tiles, 131072 cells. The slowest target does 3.9 GFLOPS
+ * and moves 5 GB/s. A fluid step does 440 operations a cell and moves 196 bytes (bench_gpu.c counts them): 15 ms a
+ * dispatch, of the 100 ms that it may take. A pass of four pattern steps on free ground does 350 operations: 12 ms; on
+ * any ground about 1000, and 2000 where k is not 2: 67 ms. */
 #include <stdlib.h>
+#include <string.h>
 
 #include <GLES3/gl31.h>
 
 #include "kernel.h"
 #include "painting_gpu_state.h"
 
-enum { PASS_STEPS = GPU_APRON }; /* pattern steps of a pass: what is wrong at its rim advances a cell a step */
+enum {
+    PATCH_STEPS = GPU_APRON, /* most pattern steps of a pass: what is wrong at its rim advances a cell a step */
+    STRIP_STEPS = 2,         /* of a pass of pattern_strip.comp, always */
+};
 
 enum steps_program {
     PROGRAM_WAKE,
@@ -19,8 +23,10 @@ enum steps_program {
     PROGRAM_STIR,
     PROGRAM_OPENNESS,
     PROGRAM_FLUID,
-    PROGRAM_PATTERN,
-    PROGRAM_PATTERN_WHOLE,
+    PROGRAM_FLUID_STRIP,
+    PROGRAM_PATCH,
+    PROGRAM_PATCH_WHOLE,
+    PROGRAM_STRIP,
     STEPS_PROGRAMS,
 };
 
@@ -32,12 +38,15 @@ static const struct {
     [PROGRAM_STIR] = {"stir.comp", NULL},
     [PROGRAM_OPENNESS] = {"openness.comp", NULL},
     [PROGRAM_FLUID] = {"fluid.comp", NULL},
-    [PROGRAM_PATTERN] = {"pattern.comp", NULL},
-    [PROGRAM_PATTERN_WHOLE] = {"pattern.comp", "#define WHOLE"},
+    [PROGRAM_FLUID_STRIP] = {"fluid_strip.comp", NULL},
+    [PROGRAM_PATCH] = {"pattern.comp", NULL},
+    [PROGRAM_PATCH_WHOLE] = {"pattern.comp", "#define WHOLE"},
+    [PROGRAM_STRIP] = {"pattern_strip.comp", NULL},
 };
 
 struct gpu_steps {
     unsigned programs[STEPS_PROGRAMS];
+    bool strips; /* free ground by pattern_strip.comp */
 };
 
 static void delete_programs(const unsigned programs[STEPS_PROGRAMS])
@@ -60,6 +69,19 @@ static bool compile(const struct painting_gpu *gpu, unsigned programs[STEPS_PROG
     return true;
 }
 
+/* Whether GL runs on the processor: there shared memory costs two nanoseconds a word, and registers cost nothing. */
+static bool is_processor(void)
+{
+    static const char *const NAMES[] = {"llvmpipe", "softpipe", "SwiftShader"};
+    const char *renderer = (const char *)glGetString(GL_RENDERER);
+    for (size_t i = 0; renderer && i < sizeof NAMES / sizeof NAMES[0]; i++) {
+        if (strstr(renderer, NAMES[i])) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error)
 {
     unsigned programs[STEPS_PROGRAMS] = {0};
@@ -74,7 +96,18 @@ bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error)
     for (int i = 0; i < STEPS_PROGRAMS; i++) {
         gpu->steps->programs[i] = programs[i];
     }
+    gpu->steps->strips = is_processor();
     return true;
+}
+
+void gpu_steps_prefer_strips(struct painting_gpu *gpu, bool strips)
+{
+    gpu->steps->strips = strips;
+}
+
+bool gpu_steps_has_strips(const struct painting_gpu *gpu)
+{
+    return gpu->steps->strips;
 }
 
 void gpu_steps_destroy(struct painting_gpu *gpu)
@@ -122,18 +155,14 @@ static void wake(const struct painting_gpu *gpu, const unsigned bits[3], enum gp
     barrier();
 }
 
-/* A pass of the program in use over the tiles of a list; `location`: where it wants the place of its first tile. */
-static void dispatch(const struct painting_gpu *gpu, enum gpu_tile_list list, GLint location, int more)
+/* A pass of the program in use over the tiles of a list. */
+static void dispatch(const struct painting_gpu *gpu, enum gpu_tile_list list, int steps, bool last)
 {
     int tiles = gpu->columns * gpu->lines;
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, gpu->tiles);
     for (int chunk = 0; chunk * GPU_LIST_CHUNK < tiles; chunk++) {
         size_t word = GPU_HEAD_DISPATCH + ((size_t)list * GPU_CHUNKS_MOST + (size_t)chunk) * 3;
-        if (more >= 0) {
-            glUniform4i(location, chunk * GPU_LIST_CHUNK, (GLint)list, more & 15, more >> 4);
-        } else {
-            glUniform1i(location, chunk * GPU_LIST_CHUNK);
-        }
+        glUniform4i(2, chunk * GPU_LIST_CHUNK, (GLint)list, steps, last);
         glDispatchComputeIndirect((GLintptr)(word * sizeof(uint32_t)));
     }
 }
@@ -145,22 +174,26 @@ static void make_openness(const struct painting_gpu *gpu)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_OUT, gpu->fluid[gpu->fluid_now]);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_SHEET, gpu->sheet);
     glUniform1f(3, gpu->def.coefficients.flood);
-    dispatch(gpu, LIST_FLUID, 2, -1);
+    dispatch(gpu, LIST_FLUID, 1, true);
     barrier();
+}
+
+void gpu_steps_open(struct painting_gpu *gpu)
+{
+    static const unsigned BITS[3] = {BIT_FLOWS, BIT_OPENED, BIT_WET};
+    wake(gpu, BITS, LIST_FLUID, LIST_FLUID, false);
+    make_openness(gpu);
 }
 
 void gpu_steps_flow(struct painting_gpu *gpu)
 {
-    static const unsigned BITS[3] = {BIT_FLOWS, BIT_OPENED, BIT_WET};
     const struct coefficients *c = &gpu->def.coefficients;
-    wake(gpu, BITS, LIST_FLUID, LIST_FLUID, false);
-    make_openness(gpu);
-    use(gpu, PROGRAM_FLUID);
+    gpu_steps_open(gpu);
+    use(gpu, gpu->steps->strips ? PROGRAM_FLUID_STRIP : PROGRAM_FLUID);
     glUniform4f(3, c->omega, 1.0f / c->mu, c->gamma, c->delta);
     for (int step = 1; step <= c->fluid_steps; step++) {
         gpu_bind(gpu, BUFFER_FLUID);
-        glUniform1i(4, step == c->fluid_steps);
-        dispatch(gpu, LIST_FLUID, 2, -1);
+        dispatch(gpu, LIST_FLUID, 1, step == c->fluid_steps);
         barrier();
         gpu->fluid_now = 1 - gpu->fluid_now;
     }
@@ -175,25 +208,34 @@ static void set_pattern(const struct painting_gpu *gpu, enum steps_program progr
     use(gpu, program);
     glUniform4f(3, 1.0f - c->dt * c->beta_p, c->dt * c->beta_p, c->dt * c->beta_y, c->seam);
     glUniform4f(4, c->dt * UNIT_ALPHA_A * raw, c->dt * UNIT_BETA_A, c->dt * UNIT_ALPHA_Y * raw, c->delta);
-    glUniform4f(5, weight, whole ? 1.0f / 6 : 0.0f, c->k, 0.5f * (c->dt * c->beta_v));
+    if (program == PROGRAM_PATCH_WHOLE) {
+        glUniform4f(5, weight, whole ? 1.0f / 6 : 0.0f, c->k, 0.5f * (c->dt * c->beta_v));
+    }
+}
+
+static void pattern_pass(struct painting_gpu *gpu, int steps, bool last)
+{
+    bool strips = gpu->steps->strips && steps == STRIP_STEPS;
+    gpu_bind(gpu, BUFFER_PATTERN);
+    use(gpu, strips ? PROGRAM_STRIP : PROGRAM_PATCH);
+    dispatch(gpu, LIST_FREE, steps, last);
+    use(gpu, PROGRAM_PATCH_WHOLE);
+    dispatch(gpu, LIST_SPECIAL, steps, last);
+    barrier();
+    gpu->pattern_now = 1 - gpu->pattern_now;
 }
 
 void gpu_steps_grow(struct painting_gpu *gpu)
 {
     static const unsigned BITS[3] = {BIT_GROWS, BIT_FED, BIT_ALIVE};
     const struct coefficients *c = &gpu->def.coefficients;
+    int most = gpu->steps->strips ? STRIP_STEPS : PATCH_STEPS;
     wake(gpu, BITS, LIST_FREE, LIST_SPECIAL, c->stencil != STENCIL_ISOTROPIC || c->k != 2.0f);
-    set_pattern(gpu, PROGRAM_PATTERN);
-    set_pattern(gpu, PROGRAM_PATTERN_WHOLE);
-    for (int left = c->pattern_steps; left > 0; left -= PASS_STEPS) {
-        int steps = left < PASS_STEPS ? left : PASS_STEPS, last = left <= PASS_STEPS;
-        gpu_bind(gpu, BUFFER_PATTERN);
-        use(gpu, PROGRAM_PATTERN);
-        dispatch(gpu, LIST_FREE, 2, steps | last << 4);
-        use(gpu, PROGRAM_PATTERN_WHOLE);
-        dispatch(gpu, LIST_SPECIAL, 2, steps | last << 4);
-        barrier();
-        gpu->pattern_now = 1 - gpu->pattern_now;
+    set_pattern(gpu, PROGRAM_PATCH);
+    set_pattern(gpu, PROGRAM_PATCH_WHOLE);
+    set_pattern(gpu, PROGRAM_STRIP);
+    for (int left = c->pattern_steps; left > 0; left -= most) {
+        pattern_pass(gpu, left < most ? left : most, left <= most);
     }
 }
 

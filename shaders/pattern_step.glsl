@@ -4,18 +4,18 @@
 #define PREPARE_GROUND
 #define STEP_PATCH step_patch(a, y, p, seen, rates);
 
-void step_patch(inout vec4 a[4], inout vec4 y[4], inout vec4 p[4], Rim seen, Rates rates)
+void step_patch(inout vec4 a[PATCH], inout vec4 y[PATCH], inout vec4 p[PATCH], Rim seen, Rates rates)
 {
     Row up = Row(seen.above.left * seen.above.left, seen.above.own * seen.above.own,
                  seen.above.right * seen.above.right);
     vec4 y_up = seen.y_above.own;
     vec4 left = seen.left * seen.left, right = seen.right * seen.right;
     Row own = Row(left[0], a[0] * a[0], right[0]);
-    for (int r = 0; r < 4; r++) {
+    for (int r = 0; r < PATCH; r++) {
         Row down = Row(seen.below.left * seen.below.left, seen.below.own * seen.below.own,
                        seen.below.right * seen.below.right);
         vec4 y_own = y[r], y_down = seen.y_below.own;
-        if (r < 3) {
+        if (r < PATCH - 1) {
             down = Row(left[r + 1], a[r + 1] * a[r + 1], right[r + 1]);
             y_down = y[r + 1];
         }
@@ -37,7 +37,7 @@ void step_patch(inout vec4 a[4], inout vec4 y[4], inout vec4 p[4], Rim seen, Rat
     Ground ground;                                                                                                     \
     load_ground(ground, word);                                                                                         \
     end_ground(ground.closed, kept);                                                                                   \
-    look_at_ground(ground, me, edges);
+    look_at_ground(ground, me, around);
 #define STEP_PATCH step_patch(a, y, p, seen, rates, ground);
 
 // rho_a^k: exponential.h has the same polynomials.
@@ -69,17 +69,17 @@ vec4 raised(vec4 a)
     return vec4(power(a.x, stencil.z), power(a.y, stencil.z), power(a.z, stencil.z), power(a.w, stencil.z));
 }
 
-// Obstacles of the patch and of the cells around it: six rows of six bits, the first above left. Guidance.
+// Obstacles of the patch and of the cells around it: rows of six bits, the first above left. Guidance.
 struct Ground {
-    uint closed[6];
-    vec4 guide_x[4], guide_y[4];
+    uint closed[PATCH + 2];
+    vec4 guide_x[PATCH], guide_y[PATCH];
 };
 
-shared uint closed_rims[PATCHES * PATCHES];
+shared uint closed_rims[COUNT];
 
 void load_ground(out Ground ground, int word)
 {
-    for (int r = 0; r < 4; r++) {
+    for (int r = 0; r < PATCH; r++) {
         int at = word + r * (planes.z >> 2), p = planes.w >> 2;
         uvec4 rest = sheet[ALPHA_Y_REST * p + at] >> 24, guide = sheet[GUIDE * p + at];
         bvec4 closed = notEqual(rest, uvec4(0u));
@@ -88,45 +88,46 @@ void load_ground(out Ground ground, int word)
         ground.guide_x[r] = vec4(ivec4(guide << 16) >> 16) * UNIT_GUIDE;
         ground.guide_y[r] = vec4(ivec4(guide) >> 16) * UNIT_GUIDE;
     }
-    ground.closed[0] = ground.closed[5] = 0u;
+    ground.closed[0] = ground.closed[PATCH + 1] = 0u;
 }
 
 // Rows beyond the sheet are as the last on it, columns beyond it are open.
-void end_ground(inout uint closed[6], ivec2 kept)
+void end_ground(inout uint closed[PATCH + 2], ivec2 kept)
 {
-    for (int r = 1; r < 4; r++) {
+    for (int r = 1; r < PATCH; r++) {
         closed[r + 1] = kept.y <= r ? closed[r] : closed[r + 1];
     }
 }
 
-// The patch's obstacles of four rows by four, packed for its neighbours.
-uint pack_closed(uint closed[6])
+// The patch's obstacles, four bits a row, packed for its neighbours.
+uint pack_closed(uint closed[PATCH + 2])
 {
     uint packed_rows = 0u;
-    for (int r = 0; r < 4; r++) {
+    for (int r = 0; r < PATCH; r++) {
         packed_rows |= (closed[r + 1] >> 1 & 15u) << (4 * r);
     }
     return packed_rows;
 }
 
-void look_at_ground(inout Ground ground, int me, bvec4 edges)
+// A row of six bits out of the packed obstacles of a patch and those left and right of it.
+uint closed_row(int patch_number, int row, Around around)
+{
+    int shift = 4 * row;
+    uint left = around.edges.x ? 0u : closed_rims[patch_number + around.left] >> (shift + 3) & 1u;
+    uint right = around.edges.z ? 0u : closed_rims[patch_number + around.right] >> shift & 1u;
+    return left | (closed_rims[patch_number] >> shift & 15u) << 1 | right << 5;
+}
+
+void look_at_ground(inout Ground ground, int me, Around around)
 {
     closed_rims[me] = pack_closed(ground.closed);
     memoryBarrierShared();
     barrier();
-    int left = edges.x ? me : me - 1, right = edges.z ? me : me + 1;
-    int up = edges.y ? 0 : -PATCHES, down = edges.w ? 0 : PATCHES;
-    uint middle_left = edges.x ? 0u : closed_rims[left], middle_right = edges.z ? 0u : closed_rims[right];
-    for (int r = 0; r < 4; r++) {
-        ground.closed[r + 1] |= (middle_left >> (4 * r + 3) & 1u) | (middle_right >> (4 * r) & 1u) << 5;
+    for (int r = 0; r < PATCH; r++) {
+        ground.closed[r + 1] = closed_row(me, r, around);
     }
-    int up_shift = edges.y ? 0 : 12, down_shift = edges.w ? 12 : 0;
-    ground.closed[0] = (closed_rims[me + up] >> up_shift & 15u) << 1 |
-                       (edges.x ? 0u : closed_rims[left + up] >> (up_shift + 3) & 1u) |
-                       (edges.z ? 0u : closed_rims[right + up] >> up_shift & 1u) << 5;
-    ground.closed[5] = (closed_rims[me + down] >> down_shift & 15u) << 1 |
-                       (edges.x ? 0u : closed_rims[left + down] >> (down_shift + 3) & 1u) |
-                       (edges.z ? 0u : closed_rims[right + down] >> down_shift & 1u) << 5;
+    ground.closed[0] = closed_row(me + around.up, around.edges.y ? 0 : PATCH - 1, around);
+    ground.closed[PATCH + 1] = closed_row(me + around.down, around.edges.w ? PATCH - 1 : 0, around);
     memoryBarrierShared();
     barrier();
 }
@@ -182,17 +183,17 @@ void step_row(inout vec4 a, inout vec4 y, inout vec4 p, Row a_rows[3], Row y_row
     p = seen_as(p_new, closed.y >> 1, p);
 }
 
-void step_patch(inout vec4 a[4], inout vec4 y[4], inout vec4 p[4], Rim seen, Rates rates, Ground ground)
+void step_patch(inout vec4 a[PATCH], inout vec4 y[PATCH], inout vec4 p[PATCH], Rim seen, Rates rates, Ground ground)
 {
     Row a_rows[3], y_rows[3];
     a_rows[0] = seen.above;
     a_rows[1] = Row(seen.left[0], a[0], seen.right[0]);
     y_rows[0] = seen.y_above;
     y_rows[1] = Row(seen.y_left[0], y[0], seen.y_right[0]);
-    for (int r = 0; r < 4; r++) {
+    for (int r = 0; r < PATCH; r++) {
         a_rows[2] = seen.below;
         y_rows[2] = seen.y_below;
-        if (r < 3) {
+        if (r < PATCH - 1) {
             a_rows[2] = Row(seen.left[r + 1], a[r + 1], seen.right[r + 1]);
             y_rows[2] = Row(seen.y_left[r + 1], y[r + 1], seen.y_right[r + 1]);
         }

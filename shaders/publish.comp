@@ -1,4 +1,4 @@
-// The visible sheet as texels for the picture (fields.h): one of GROUND, INKS, PATTERNS, VECTORS is defined.
+// The visible sheet as texels for the picture (fields.h), a texture each.
 #variant GROUND
 #variant INKS
 #variant PATTERNS

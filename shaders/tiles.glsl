@@ -14,8 +14,8 @@ const int LIST_FREE = 1;
 const int LIST_SPECIAL = 2;
 const int LIST_COUNT = 3;
 
-const int LIST_CHUNK = 512;
-const int CHUNKS_MOST = 64;
+const int LIST_CHUNK = 128;
+const int CHUNKS_MOST = 168;
 const int HEAD_COUNT = 0;
 const int HEAD_QUIET = 3;
 const int HEAD_CARVED = 4;
