@@ -8,6 +8,7 @@
 
 #include <GLES3/gl31.h>
 
+#include "display_rotation.h"
 #include "display_source.h"
 
 static const char *const KINDS[DISPLAY_KINDS] = {"auto", "kms", "window", "headless"};
@@ -198,37 +199,14 @@ struct display_size display_sheet(const struct display *display)
     return display->def.rotation % 180 == 0 ? panel : (struct display_size){panel.height, panel.width};
 }
 
-/* Clockwise on the panel: what points up on the sheet points right at 90 degrees. */
 void display_turn(const struct display *display, float turn[4])
 {
-    static const float COSINE[4] = {1, 0, -1, 0}, SINE[4] = {0, 1, 0, -1};
-    float c = COSINE[display->def.rotation / 90], s = SINE[display->def.rotation / 90];
-    float up = display->flipped ? -1.f : 1.f;
-    turn[0] = c;
-    turn[1] = -s * up;
-    turn[2] = s;
-    turn[3] = c * up;
+    rotation_matrix(display->def.rotation, display->flipped, turn);
 }
 
 void display_untouch(const struct display *display, float *x, float *y)
 {
-    float across = *x, down = *y;
-    switch (display->def.rotation) {
-    case 90:
-        *x = down;
-        *y = 1 - across;
-        break;
-    case 180:
-        *x = 1 - across;
-        *y = 1 - down;
-        break;
-    case 270:
-        *x = 1 - down;
-        *y = across;
-        break;
-    default:
-        break;
-    }
+    rotation_untouch(display->def.rotation, x, y);
 }
 
 void display_wait(struct display *display, int timeout_ms)

@@ -28,7 +28,7 @@ struct window {
 
 static void set_hints(void)
 {
-    static const char *const HINTS[][2] = {
+    const char *const hints[][2] = {
         {SDL_HINT_NO_SIGNAL_HANDLERS, "1"},
         {SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1"},
         {SDL_HINT_TOUCH_MOUSE_EVENTS, "0"},
@@ -36,11 +36,11 @@ static void set_hints(void)
         {SDL_HINT_VIDEO_X11_FORCE_EGL, "1"},
         {SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0"},
         {SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0"},
-        {SDL_HINT_VIDEODRIVER, "wayland,x11"},
+        {SDL_HINT_VIDEODRIVER, getenv("WAYLAND_DISPLAY") ? "wayland,x11" : "x11"},
         {SDL_HINT_APP_NAME, "Frond"},
     };
-    for (size_t i = 0; i < sizeof HINTS / sizeof HINTS[0]; i++) {
-        SDL_SetHint(HINTS[i][0], HINTS[i][1]);
+    for (size_t i = 0; i < sizeof hints / sizeof hints[0]; i++) {
+        SDL_SetHint(hints[i][0], hints[i][1]);
     }
 }
 

@@ -98,7 +98,7 @@ static void choose(struct kms_screen *screen, uint64_t now_us)
 {
     struct kms_scan *scan = screen->scan;
     bool has = screen->stage != KMS_EMPTY;
-    int index = kms_choose_connector(scan, &screen->wish, has ? screen->output.connector : 0);
+    int index = kms_choose_connector(scan, &screen->wish, screen->connector);
     if (index < 0) {
         leave(screen, now_us);
         display_fail(&screen->reason, "%s is plugged in",
@@ -134,6 +134,7 @@ static void choose(struct kms_screen *screen, uint64_t now_us)
                                &screen->reason)) {
         screen->stage = KMS_CHOSEN;
         screen->chosen = mode;
+        screen->connector = connector->id;
         screen->frames.refresh_mhz = kms_mode_refresh_mhz(&connector->modes[mode]);
     } else {
         kms_output_close(&screen->output, screen->card);
