@@ -22,7 +22,7 @@ drmModeModeInfo fake_mode(int width, int height, int hertz, uint32_t flags, uint
                             .vrefresh = (uint32_t)hertz,
                             .flags = flags,
                             .type = type};
-    mode.clock = (uint32_t)((uint64_t)mode.htotal * mode.vtotal * (uint64_t)hertz / 1000);
+    mode.clock = (uint32_t)(((uint64_t)mode.htotal * mode.vtotal * (uint64_t)hertz + 500) / 1000);
     return mode;
 }
 
