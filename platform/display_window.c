@@ -14,6 +14,7 @@
 enum {
     WINDOW_WIDTH = 1280, /* points of the desktop, where the definition leaves it open */
     WINDOW_HEIGHT = 720,
+    SLICE_MS = 4,        /* between looks at what else may wake us: SDL waits for itself alone */
     REFRESH_MHZ = 60000, /* where the desktop does not say */
 };
 
@@ -223,16 +224,6 @@ static void take_window_event(struct display *display, const SDL_WindowEvent *ev
     case SDL_WINDOWEVENT_CLOSE:
         display->closed = true;
         break;
-    case SDL_WINDOWEVENT_HIDDEN:
-    case SDL_WINDOWEVENT_MINIMIZED:
-        display->state = DISPLAY_LENT;
-        break;
-    case SDL_WINDOWEVENT_SHOWN:
-    case SDL_WINDOWEVENT_RESTORED:
-    case SDL_WINDOWEVENT_MAXIMIZED:
-    case SDL_WINDOWEVENT_EXPOSED:
-        display->state = DISPLAY_SHOWN;
-        break;
     case SDL_WINDOWEVENT_SIZE_CHANGED:
         follow_size(display);
         break;
@@ -270,17 +261,20 @@ static void take_event(struct display *display, const SDL_Event *event)
 
 static void take_events(struct display *display)
 {
+    const struct window *window = display->own;
     SDL_Event event;
     while (SDL_PollEvent(&event)) {
         take_event(display, &event);
     }
+    Uint32 flags = SDL_GetWindowFlags(window->window);
+    display->state = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED) ? DISPLAY_LENT : DISPLAY_SHOWN;
 }
 
 static void window_wait(struct display *display, int timeout_ms)
 {
     const struct window *window = display->own;
     take_events(display);
-    if (display->count > 0 || display->closed) {
+    if (display->queue.count > 0 || display->closed) {
         return;
     }
     uint64_t now_us = display_now_us();
@@ -289,9 +283,16 @@ static void window_wait(struct display *display, int timeout_ms)
         uint64_t left_us = window->next_us > now_us ? window->next_us - now_us : 0;
         until_ms = (int)(left_us / 1000) < until_ms ? (int)((left_us + 999) / 1000) : until_ms;
     }
-    if (until_ms > 0) {
-        SDL_WaitEventTimeout(NULL, until_ms);
-        take_events(display);
+    static const int NONE[2] = {-1, -1};
+    uint64_t end_us = now_us + (uint64_t)until_ms * 1000;
+    while (until_ms > 0 && !display_poll(display, NONE, 0)) {
+        int slice_ms = display->wake_count > 0 && until_ms > SLICE_MS ? SLICE_MS : until_ms;
+        if (SDL_WaitEventTimeout(NULL, slice_ms)) {
+            take_events(display);
+            return;
+        }
+        now_us = display_now_us();
+        until_ms = now_us < end_us ? (int)((end_us - now_us + 999) / 1000) : 0;
     }
 }
 

@@ -8,6 +8,7 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <GLES3/gl31.h>
 
@@ -185,17 +186,36 @@ static void events_wait_until_they_are_asked_for(void **state)
     struct display *display = open_display(0, 0);
     struct event event;
     assert_false(display_event(display, &event));
-    for (int i = 0; i < DISPLAY_EVENTS + 10; i++) {
-        display_post(display, (struct event){.kind = EVENT_MOVE, .slot = i});
-    }
+    display_post(display, (struct event){.kind = EVENT_DOWN, .slot = 3});
+    display_post(display, (struct event){.kind = EVENT_UP, .slot = 3});
     uint64_t start = display_now_us();
     display_wait(display, 1000); /* something has happened: no waiting */
     assert_true(display_now_us() - start < 500000);
-    for (int i = 10; i < DISPLAY_EVENTS + 10; i++) { /* the oldest are gone */
-        assert_true(display_event(display, &event));
-        assert_int_equal(event.slot, i);
-    }
+    assert_true(display_event(display, &event));
+    assert_true(event.kind == EVENT_DOWN && event.slot == 3 && event.source == SOURCE_WINDOW);
+    assert_true(display_event(display, &event));
+    assert_int_equal(event.kind, EVENT_UP);
     assert_false(display_event(display, &event));
+    display_destroy(display);
+}
+
+static void other_devices_end_the_waiting(void **state)
+{
+    (void)state;
+    struct display *display = open_display(0, 0);
+    int ends[2];
+    assert_int_equal(pipe(ends), 0);
+    display_power(display, false);
+    display_wake_on(display, ends, 1);
+    uint64_t start = display_now_us();
+    display_wait(display, 30);
+    assert_true(display_now_us() - start >= 29000);
+    assert_int_equal(write(ends[1], "x", 1), 1);
+    start = display_now_us();
+    display_wait(display, 5000);
+    assert_true(display_now_us() - start < 1000000);
+    close(ends[0]);
+    close(ends[1]);
     display_destroy(display);
 }
 
@@ -242,6 +262,7 @@ int main(void)
         cmocka_unit_test(a_lost_context_is_made_anew),
         cmocka_unit_test(another_thread_shares_buffers),
         cmocka_unit_test(events_wait_until_they_are_asked_for),
+        cmocka_unit_test(other_devices_end_the_waiting),
         cmocka_unit_test(definitions_are_checked),
         cmocka_unit_test(a_display_says_what_it_is),
     };

@@ -13,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <GLES3/gl31.h>
 
@@ -58,6 +59,15 @@ static void draw_frames(struct scene *scene, int count)
         assert_true(display_now_us() < end);
         turn_loop(scene);
     }
+}
+
+static bool await_state(struct scene *scene, enum display_state state)
+{
+    uint64_t end = display_now_us() + 3000000;
+    while (display_state(scene->display) != state && display_now_us() < end) {
+        turn_loop(scene);
+    }
+    return display_state(scene->display) == state;
 }
 
 static void assert_captured(const struct scene *scene)
@@ -193,6 +203,36 @@ static void the_mouse_is_a_finger(void **state)
     display_destroy(scene.display);
 }
 
+static void push_window(Uint8 what)
+{
+    SDL_Event event = {.window = {.type = SDL_WINDOWEVENT, .windowID = 1, .event = what}};
+    assert_int_equal(SDL_PushEvent(&event), 1);
+}
+
+static void other_devices_end_the_waiting(void **state)
+{
+    (void)state;
+    struct scene scene;
+    int ends[2];
+    open_scene(&scene, DISPLAY_WINDOW, 0);
+    draw_frames(&scene, 2);
+    SDL_HideWindow(SDL_GetWindowFromID(1));
+    assert_true(await_state(&scene, DISPLAY_LENT));
+    assert_int_equal(pipe(ends), 0);
+    display_wake_on(scene.display, ends, 1);
+    uint64_t start = display_now_us();
+    while (display_now_us() < start + 50000) {
+        display_wait(scene.display, 10);
+    }
+    assert_int_equal(write(ends[1], "x", 1), 1);
+    start = display_now_us();
+    display_wait(scene.display, 5000);
+    assert_true(display_now_us() - start < 1000000);
+    close(ends[0]);
+    close(ends[1]);
+    display_destroy(scene.display);
+}
+
 static void push(Uint32 type, SDL_FingerID finger, float x, float y)
 {
     SDL_Event event = {.tfinger = {.type = type, .touchId = 1, .fingerId = finger, .x = x, .y = y}};
@@ -227,12 +267,6 @@ static void fingers_have_slots(void **state)
     display_destroy(scene.display);
 }
 
-static void push_window(Uint8 what)
-{
-    SDL_Event event = {.window = {.type = SDL_WINDOWEVENT, .windowID = 1, .event = what}};
-    assert_int_equal(SDL_PushEvent(&event), 1);
-}
-
 static void push_key(SDL_Keycode key, Uint16 modifiers)
 {
     SDL_Event event = {.key = {.type = SDL_KEYDOWN, .keysym = {.sym = key, .mod = modifiers}}};
@@ -250,12 +284,11 @@ static void it_hides_fills_the_screen_and_closes(void **state)
     struct scene scene;
     open_scene(&scene, DISPLAY_WINDOW, 0);
     draw_frames(&scene, 2);
-    push_window(SDL_WINDOWEVENT_MINIMIZED);
-    display_wait(scene.display, 0);
-    assert_int_equal(display_state(scene.display), DISPLAY_LENT);
+    SDL_HideWindow(SDL_GetWindowFromID(1));
+    assert_true(await_state(&scene, DISPLAY_LENT));
     assert_false(display_begin(scene.display));
-    push_window(SDL_WINDOWEVENT_RESTORED);
-    display_wait(scene.display, 0);
+    SDL_ShowWindow(SDL_GetWindowFromID(1));
+    assert_true(await_state(&scene, DISPLAY_SHOWN));
     draw_frames(&scene, 2);
     push_key(SDLK_RETURN, 0);
     display_wait(scene.display, 0);
@@ -326,10 +359,15 @@ static void another_thread_shares_textures(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_window_shows_what_is_drawn), cmocka_unit_test(the_server_shows_it_too),
-        cmocka_unit_test(it_follows_its_size),          cmocka_unit_test(the_mouse_is_a_finger),
-        cmocka_unit_test(fingers_have_slots),           cmocka_unit_test(it_hides_fills_the_screen_and_closes),
-        cmocka_unit_test(a_lost_context_is_made_anew),  cmocka_unit_test(another_thread_shares_textures),
+        cmocka_unit_test(a_window_shows_what_is_drawn),
+        cmocka_unit_test(the_server_shows_it_too),
+        cmocka_unit_test(it_follows_its_size),
+        cmocka_unit_test(the_mouse_is_a_finger),
+        cmocka_unit_test(fingers_have_slots),
+        cmocka_unit_test(other_devices_end_the_waiting),
+        cmocka_unit_test(it_hides_fills_the_screen_and_closes),
+        cmocka_unit_test(a_lost_context_is_made_anew),
+        cmocka_unit_test(another_thread_shares_textures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
