@@ -17,11 +17,19 @@ static bool is_busy(int code)
     return code == EBUSY || code == EAGAIN || code == EINTR;
 }
 
-static uint64_t hash_more(uint64_t hash, const void *data, size_t size)
+/* FNV-1a, a word at a time. */
+static uint64_t hash_more(uint64_t hash, uint64_t word)
 {
-    const uint8_t *bytes = data;
-    for (size_t i = 0; i < size; i++) {
-        hash = (hash ^ bytes[i]) * UINT64_C(1099511628211); /* FNV-1a */
+    return (hash ^ word) * UINT64_C(1099511628211);
+}
+
+static uint64_t hash_mode(uint64_t hash, const drmModeModeInfo *mode)
+{
+    const uint32_t words[] = {mode->clock,  mode->hdisplay, mode->hsync_start, mode->hsync_end,
+                              mode->htotal, mode->vdisplay, mode->vsync_start, mode->vsync_end,
+                              mode->vtotal, mode->vscan,    mode->flags,       mode->type};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_more(hash, words[i]);
     }
     return hash;
 }
@@ -32,10 +40,11 @@ static uint64_t signature_of(const struct kms_scan *scan)
     uint64_t hash = UINT64_C(14695981039346656037);
     for (int i = 0; i < scan->connector_count; i++) {
         const struct kms_connector *connector = &scan->connectors[i];
-        const uint32_t head[4] = {connector->id, connector->connected, connector->broken,
-                                  (uint32_t)connector->mode_count};
-        hash = hash_more(hash, head, sizeof head);
-        hash = hash_more(hash, connector->modes, (size_t)connector->mode_count * sizeof connector->modes[0]);
+        hash = hash_more(hash, connector->id);
+        hash = hash_more(hash, (uint64_t)connector->connected << 1 | connector->broken);
+        for (int mode = 0; mode < connector->mode_count; mode++) {
+            hash = hash_mode(hash, &connector->modes[mode]);
+        }
     }
     return hash;
 }
