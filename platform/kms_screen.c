@@ -56,7 +56,6 @@ static void become_lent(struct kms_screen *screen, uint64_t now_us)
     screen->pending = screen->to_darken = false;
     screen->next = 0;
     screen->token++;
-    kms_pace_stop(&screen->pace);
     if (screen->to_switch_off) { /* what the output shows now is the other's affair */
         screen->to_switch_off = false;
         kms_output_close(&screen->output, screen->card);
@@ -72,7 +71,6 @@ static void leave(struct kms_screen *screen, uint64_t now_us)
     screen->next = 0;
     screen->token++;
     screen->frames.refresh_mhz = 0;
-    kms_pace_stop(&screen->pace);
     if (screen->stage == KMS_RUNNING) {
         screen->to_switch_off = true;
         screen->busy_due_us = now_us;
@@ -397,7 +395,6 @@ void kms_screen_power(struct kms_screen *screen, bool on, uint64_t now_us)
         screen->busy_due_us = now_us;
         screen->pending = false;
         screen->token++;
-        kms_pace_stop(&screen->pace);
     } else if (on && screen->stage == KMS_RUNNING) {
         screen->stage = KMS_FITTED;
     }

@@ -41,7 +41,7 @@ struct fake {
     bool broken;               /* every call fails with ENODEV */
     bool lacks;                /* the plane has no property SRC_W */
 
-    int tests, modesets, flips, probes, restored, link_trained;
+    int tests, modesets, flips, probes, restored, denied, link_trained;
 };
 
 void fake_init(struct fake *fake);

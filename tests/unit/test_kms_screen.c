@@ -237,6 +237,8 @@ static void dark_and_light(void **state)
     EXPECT_STATE(bench, DISPLAY_DARK);
     assert_false(bench->fake.active);
     assert_false(frame(bench));
+    fake_blank(&bench->fake, bench->now_us);
+    fake_blank(&bench->fake, bench->now_us);
     kms_screen_power(&bench->screen, true, bench->now_us);
     EXPECT_STATE(bench, DISPLAY_SHOWN);
     assert_true(frame(bench));
@@ -325,6 +327,21 @@ static void unplugged_while_lent(void **state)
     attend(bench, KMS_SCAN_US, false);
     assert_true(frame(bench));
     assert_int_equal(bench->fake.width, 800);
+}
+
+static void another_monitor_came_while_lent(void **state)
+{
+    struct bench *bench = *state;
+    start_on_hdmi(bench);
+    bench->fake.master = false;
+    bench->fake.other_master = true;
+    assert_true(frame(bench));
+    fake_plug(&bench->fake, 1, 1280, 720, 60);
+    attend(bench, 1000, true); /* its modes are not told to those who are not master */
+    bench->fake.other_master = false;
+    attend(bench, KMS_MASTER_US, false);
+    assert_true(frame(bench));
+    assert_int_equal(bench->fake.width, 1280);
 }
 
 static void the_master_is_lost_while_switching_off(void **state)
@@ -439,8 +456,14 @@ static void a_flip_that_never_comes(void **state)
     assert_false(kms_screen_free(&bench->screen));
     attend(bench, 1, false);
     int modesets = bench->fake.modesets;
-    assert_true(frame(bench));
+    kms_screen_present(&bench->screen, 101, bench->now_us);
     assert_int_equal(bench->fake.modesets, modesets + 1);
+    uint64_t presented = bench->screen.frames.presented;
+    bench->fake.token--; /* it does come, now that another is on its way */
+    fake_blank(&bench->fake, bench->now_us);
+    attend(bench, 1, false);
+    assert_false(kms_screen_free(&bench->screen));
+    assert_int_equal(bench->screen.frames.presented, presented);
 }
 
 static void a_busy_kernel_gets_the_frame_later(void **state)
@@ -505,7 +528,7 @@ static void what_was_there_is_put_back(void **state)
     bench->fake.other_master = true;
     assert_true(frame(bench));
     kms_screen_finish(&bench->screen);
-    assert_int_equal(bench->fake.restored, 0);
+    assert_int_equal(bench->fake.restored + bench->fake.denied, 0);
     bench->screen.card = NULL;
 }
 
@@ -564,6 +587,7 @@ int main(void)
         CASE(another_master_comes_and_goes),
         CASE(another_is_master_from_the_start),
         CASE(unplugged_while_lent),
+        CASE(another_monitor_came_while_lent),
         CASE(the_master_is_lost_while_switching_off),
         CASE(a_refusal_names_connector_mode_and_property),
         CASE(a_refused_mode_makes_way_for_the_next),
