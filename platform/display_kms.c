@@ -54,28 +54,37 @@ static void fit(struct display *display)
     }
     if (!kms_buffers_make(&kms->buffers, &display->egl, width, height, NULL, 0, &error)) {
         struct display_error named;
-        display_fail(&named, "%s: %.200s", output->name, error.text);
+        char mode[KMS_MODE_TEXT];
+        kms_mode_text(&output->mode, mode);
+        display_fail(&named, "%s %s: %.200s", output->name, mode, error.text);
         kms_screen_unfit(&kms->screen, &named, display_now_us());
         return;
     }
     kms_screen_fit(&kms->screen, kms->buffers.each[0].id, true, display_now_us());
 }
 
+/* Every choice that was made, and why. */
 static void note(struct display *display)
 {
     struct kms *kms = display->own;
     const struct kms_screen *screen = &kms->screen;
+    const struct display_def *def = &display->def;
     char mode[KMS_MODE_TEXT];
     int used = snprintf(display->note, sizeof display->note, "%s (%s, %s), ", kms->card->path, kms->card->driver,
                         kms->card->atomic ? "atomic" : "legacy");
     size_t room = sizeof display->note - (size_t)used;
     if (screen->stage == KMS_EMPTY) {
-        snprintf(display->note + used, room, "%.150s", screen->reason.text[0] ? screen->reason.text : "no screen");
-    } else {
-        kms_mode_text(&screen->output.mode, mode);
-        snprintf(display->note + used, room, "%s %s%s", screen->output.name, mode,
-                 screen->lent ? ", another program is master" : "");
+        snprintf(display->note + used, room, "%.280s", screen->reason.text[0] ? screen->reason.text : "no screen");
+        return;
     }
+    kms_mode_text(&screen->output.mode, mode);
+    snprintf(display->note + used, room, "%s%s %s%s%s%s%.200s", screen->output.name,
+             def->connector ? " as asked for" : "", mode,
+             def->width || def->height || def->refresh_mhz        ? " as asked for"
+             : screen->output.mode.type & DRM_MODE_TYPE_PREFERRED ? " as it prefers"
+                                                                  : "",
+             screen->lent ? ", another program is master of it" : "", screen->refused_due_us ? "; " : "",
+             screen->refused_due_us ? screen->reason.text : "");
 }
 
 /* What the screen has come to, for display.c. */

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <glob.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +54,37 @@ static void read_connector(int fd, const drmModeConnector *from, struct kms_conn
     memcpy(to->modes, from->modes, (size_t)to->mode_count * sizeof to->modes[0]);
 }
 
-static int card_scan(struct kms_card *card, bool probe, struct kms_scan *scan)
+struct device_card {
+    struct kms_card card; /* first */
+    bool probed;
+    struct kms_scan last; /* probe */
+};
+
+/* Of what the last probe found, which connectors are connected now, by sysfs: the ioctl would wait for the kernel's own
+ * look at the wires, which takes as long as a probe. False: there is no sysfs. */
+static bool look_at_sysfs(struct kms_card *card, struct kms_scan *scan)
+{
+    struct device_card *device = (struct device_card *)card;
+    const char *name = strrchr(card->path, '/');
+    for (int i = 0; i < device->last.connector_count; i++) {
+        struct kms_connector *connector = &device->last.connectors[i];
+        char path[128], status[16] = "";
+        snprintf(path, sizeof path, "/sys/class/drm/%s-%s/status", name ? name + 1 : "", connector->name);
+        int fd = open(path, O_RDONLY | O_CLOEXEC);
+        bool known = fd >= 0 && read(fd, status, sizeof status - 1) > 0;
+        if (fd >= 0) {
+            close(fd);
+        }
+        if (!known) {
+            return false;
+        }
+        connector->connected = strcmp(status, "connected\n") == 0;
+    }
+    *scan = device->last;
+    return device->last.connector_count > 0;
+}
+
+static int scan_by_ioctl(struct kms_card *card, bool probe, struct kms_scan *scan)
 {
     errno = 0;
     drmModeRes *resources = drmModeGetResources(card->fd);
@@ -74,6 +105,18 @@ static int card_scan(struct kms_card *card, bool probe, struct kms_scan *scan)
     }
     drmModeFreeResources(resources);
     return 0;
+}
+
+static int card_scan(struct kms_card *card, bool probe, struct kms_scan *scan)
+{
+    struct device_card *device = (struct device_card *)card;
+    if (!probe && device->probed && look_at_sysfs(card, scan)) {
+        return 0;
+    }
+    int code = scan_by_ioctl(card, probe, scan);
+    device->probed = code == 0;
+    device->last = *scan;
+    return code;
 }
 
 static int card_properties(struct kms_card *card, uint32_t object, uint32_t type,
@@ -264,28 +307,56 @@ void kms_card_close(struct kms_card *card)
 {
     if (card) {
         close(card->fd);
-        free(card);
+        free(card); /* the first member of what was allocated */
+    }
+}
+
+static void set_capabilities(struct kms_card *card)
+{
+    card->atomic = card->atomic && drmSetClientCap(card->fd, DRM_CLIENT_CAP_ATOMIC, 1) == 0;
+    drmSetClientCap(card->fd, DRM_CLIENT_CAP_UNIVERSAL_PLANES, 1);
+}
+
+enum { MASTER_TRIES = 30, MASTER_PAUSE_MS = 100 };
+
+/* Without privileges only who opens a card while nobody is master becomes it, or who has been it before. Whoever is
+ * about to leave (a boot splash, the last run of this program) is given a moment. */
+static void await_master(struct kms_card *card)
+{
+    for (int i = 0; i < MASTER_TRIES && !drmIsMaster(card->fd) && drmSetMaster(card->fd) != 0 && errno == EACCES; i++) {
+        poll(NULL, 0, MASTER_PAUSE_MS);
+        int again = open(card->path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
+        if (again >= 0 && drmIsMaster(again)) {
+            close(card->fd);
+            card->fd = again;
+            set_capabilities(card);
+            return;
+        }
+        if (again >= 0) {
+            close(again);
+        }
     }
 }
 
 /* NULL with errno. */
 static struct kms_card *open_path(const char *path, bool legacy)
 {
-    struct kms_card *card = calloc(1, sizeof *card);
-    if (!card) {
+    struct device_card *device = calloc(1, sizeof *device);
+    if (!device) {
         return NULL;
     }
+    struct kms_card *card = &device->card;
     card->calls = &CALLS;
     snprintf(card->path, sizeof card->path, "%s", path);
     card->fd = open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (card->fd < 0) {
         int code = errno;
-        free(card);
+        free(device);
         errno = code;
         return NULL;
     }
-    card->atomic = !legacy && drmSetClientCap(card->fd, DRM_CLIENT_CAP_ATOMIC, 1) == 0;
-    drmSetClientCap(card->fd, DRM_CLIENT_CAP_UNIVERSAL_PLANES, 1);
+    card->atomic = !legacy;
+    set_capabilities(card);
     uint64_t value = 0;
     card->modifiers = drmGetCap(card->fd, DRM_CAP_ADDFB2_MODIFIERS, &value) == 0 && value != 0;
     drmVersionPtr version = drmGetVersion(card->fd);
@@ -307,9 +378,10 @@ static struct kms_card *open_named(const char *path, const struct kms_wish *wish
         display_fail(error, "kms: %s (%s): %s", path, card->driver,
                      code == 0 || code == EOPNOTSUPP ? "it has no connectors, it only renders" : strerror(code));
     } else if (kms_card_score(scan, wish) == 0) {
-        display_fail(error, "kms: %s (%s): it has no connector %s, but %s%s", path, card->driver,
-                     wish->connector ? wish->connector : "for a screen", scan->connectors[0].name,
-                     scan->connector_count > 1 ? " and others" : "");
+        char names[KMS_CONNECTORS * KMS_NAME];
+        kms_connector_names(scan, names, sizeof names);
+        display_fail(error, "kms: %s (%s): it has no connector %s, but %.120s", path, card->driver,
+                     wish->connector ? wish->connector : "for a screen", names);
     } else {
         return card;
     }
@@ -352,5 +424,8 @@ struct kms_card *kms_card_open(const char *path, const struct kms_wish *wish, bo
     }
     struct kms_card *card = path ? open_named(path, wish, legacy, scan, error) : open_best(wish, legacy, scan, error);
     free(scan);
+    if (card) {
+        await_master(card);
+    }
     return card;
 }

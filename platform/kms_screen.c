@@ -414,7 +414,10 @@ bool kms_screen_start(struct kms_screen *screen, struct kms_card *card, const st
     }
     look(screen, now_us, true);
     if (kms_card_score(screen->scan, wish) == 0) {
-        return display_fail(error, "%s has no connector %s", card->path, wish->connector ? wish->connector : "at all");
+        char names[KMS_CONNECTORS * KMS_NAME];
+        kms_connector_names(screen->scan, names, sizeof names);
+        return display_fail(error, "%s has no connector %s, but %.120s", card->path,
+                            wish->connector ? wish->connector : "for a screen", names);
     }
     int index = kms_choose_connector(screen->scan, wish, 0);
     if (index >= 0 && kms_choose_mode(&screen->scan->connectors[index], wish, NULL) < 0) {
