@@ -14,7 +14,8 @@ void live_picture_init(struct live_picture *picture, const struct script *script
 
 void live_picture_finish(struct live_picture *picture, bool lost)
 {
-    picture_gpu_destroy(picture->picture, lost);
+    (void)lost;
+    picture_gpu_destroy(picture->picture);
     picture->picture = NULL;
 }
 
@@ -28,7 +29,7 @@ static bool fit(struct live_picture *picture, struct display_size size, const st
     if (!*made) {
         return true;
     }
-    picture_gpu_destroy(picture->picture, false);
+    picture_gpu_destroy(picture->picture);
     picture->def = script_picture(picture->script, size.width, size.height);
     picture->def.cells_x = fields->width;
     picture->def.cells_y = fields->height;
@@ -46,7 +47,7 @@ bool live_picture_draw(struct live_picture *picture, struct display *display, co
         return false;
     }
     if (fresh || made || picture->reloaded) {
-        picture_gpu_shade(picture->picture, fields, PICTURE_SLOWLY);
+        picture_gpu_shade(picture->picture, fields);
         picture->reloaded = false;
     }
     display_turn(display, turn);
@@ -62,7 +63,7 @@ void live_picture_reload(struct live_picture *picture)
         return;
     }
     picture->stamp = stamp;
-    picture->reloaded = picture_gpu_reload(picture->picture, picture->folder, &error);
+    picture->reloaded = picture_gpu_reload(picture->picture, &error);
     if (!picture->reloaded) {
         fprintf(stderr, "frond: %s\n", error.text);
     }
