@@ -13,9 +13,9 @@ layout(location = 72) uniform float fullest; // optical thickness of an ink that
 layout(binding = 0) uniform sampler2D ground;
 layout(binding = 1) uniform sampler2D ink;
 layout(binding = 2) uniform sampler2D blurred;
-layout(rgba16f, binding = 0) writeonly uniform highp image2D shape;  // relief (flat: cover), line, body, mask
-layout(rgba16f, binding = 1) writeonly uniform highp image2D inks;   // optical thickness
-layout(rgba32f, binding = 2) writeonly uniform highp image2D smooth_layers; // film, hollow, wet, 0
+layout(rgba16f, binding = 0) writeonly uniform highp image2D matter;  // line, body, hollow, wet
+layout(rgba16f, binding = 1) writeonly uniform highp image2D inks;    // optical thickness
+layout(rgba32f, binding = 2) writeonly uniform highp image2D surface; // relief (flat: cover), film, mask, 0
 
 float line_of(float pigment, float carved)
 {
@@ -33,7 +33,8 @@ void store(ivec2 at, float local, float film, float hollow)
     float pigment = present.x + present.y + present.z + present.w;
 #if PLAIN
     float carved = smooth_between(0.02, 0.1, cell.x);
-    imageStore(shape, at, vec4(clamp(4.0 * cell.x, 0.0, 1.0), line_of(pigment, carved), 0.0, cell.z));
+    imageStore(surface, at, vec4(clamp(4.0 * cell.x, 0.0, 1.0), 0.0, cell.z, 0.0));
+    imageStore(matter, at, vec4(line_of(pigment, carved), 0.0, 0.0, 0.0));
     imageStore(inks, at, amounts);
 #else
     float inverse = 1.0 / depth_ref();
@@ -46,9 +47,9 @@ void store(ivec2 at, float local, float film, float hollow)
     float body = pigment < 0.05 ? 20.0 * pigment : 1.0;
     float share = fullest * (1.0 - exp(-pigment * (1.0 / 0.45))) / max(pigment, 1e-6);
     share *= 0.8 + (veins - 0.8) * carved;
-    imageStore(shape, at, vec4(relief, line_of(pigment, carved), body, cell.z));
+    imageStore(surface, at, vec4(relief, film, cell.z, 0.0));
+    imageStore(matter, at, vec4(line_of(pigment, carved), body, hollow, cell.y));
     imageStore(inks, at, present * share);
-    imageStore(smooth_layers, at, vec4(film, hollow, cell.y, 0.0));
 #endif
 }
 

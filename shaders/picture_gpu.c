@@ -20,7 +20,7 @@ static bool compile(const struct picture_gpu *picture, unsigned program[PASSES],
         [PASS_DOWN] = "picture_down.comp", [PASS_TALL] = "picture_tall.comp",   [PASS_SHADE] = "picture_shade.frag",
         [PASS_SHOW] = "picture_show.frag"};
     for (int pass = 0; pass < PASSES; pass++) {
-        const char *defines = pass == PASS_DOWN || pass == PASS_TALL ? flat : NULL;
+        const char *defines = pass == PASS_DOWN ? flat : NULL;
         if (pass == PASS_SHADE) {
             defines = shade[picture->def.plain][picture->def.mixing == INK_CMY];
         }

@@ -89,9 +89,9 @@ static void prepare(const struct picture_gpu *picture, const struct fields *fiel
     }
     take_field(fields, 1, FIELDS_INK);
     take(picture, 2, PICTURE_BLURRED);
-    give(picture, 0, PICTURE_SHAPE, GL_RGBA16F);
+    give(picture, 0, PICTURE_MATTER, GL_RGBA16F);
     give(picture, 1, PICTURE_INKS, GL_RGBA16F);
-    give(picture, 2, PICTURE_SMOOTH, GL_RGBA32F);
+    give(picture, 2, PICTURE_SURFACE, GL_RGBA32F);
     dispatch(fields->width, fields->height, 32, 16);
 }
 
@@ -102,13 +102,13 @@ static void resample_down(const struct picture_gpu *picture)
     glUniform2i(0, width, height);
     glUniform1i(2, picture->def.cells_y);
     glUniform1i(3, picture->taps_down);
-    take(picture, 0, PICTURE_SHAPE);
+    take(picture, 0, PICTURE_MATTER);
     take(picture, 1, PICTURE_INKS);
-    take(picture, 2, PICTURE_SMOOTH);
+    take(picture, 2, PICTURE_SURFACE);
     take(picture, 3, PICTURE_WEIGHTS_DOWN);
-    give(picture, 0, PICTURE_TALL_SHAPE, GL_RGBA16F);
+    give(picture, 0, PICTURE_TALL_MATTER, GL_RGBA16F);
     give(picture, 1, PICTURE_TALL_INKS, GL_RGBA16F);
-    give(picture, 2, PICTURE_TALL_SMOOTH, GL_RGBA32F);
+    give(picture, 2, PICTURE_TALL_SURFACE, GL_RGBA32F);
     give(picture, 3, PICTURE_TALL_MASK, GL_R32F);
     dispatch(width, height, 32, 4);
 }
@@ -147,9 +147,9 @@ static void plain_target(unsigned framebuffer, int width, int height)
 
 static void shade(const struct picture_gpu *picture)
 {
-    static const enum picture_texture inputs[] = {PICTURE_TALL_SHAPE, PICTURE_TALL_INKS,      PICTURE_TALL_SMOOTH,
-                                                  PICTURE_TALL_MASK,  PICTURE_WEIGHTS_ACROSS, PICTURE_GRAIN,
-                                                  PICTURE_STREAKS,    PICTURE_LATTICE};
+    static const enum picture_texture inputs[] = {PICTURE_TALL_MATTER, PICTURE_TALL_INKS,      PICTURE_TALL_SURFACE,
+                                                  PICTURE_TALL_MASK,   PICTURE_WEIGHTS_ACROSS, PICTURE_GRAIN,
+                                                  PICTURE_STREAKS,     PICTURE_LATTICE};
     int width = picture->def.width, height = picture->def.height;
     int rows = rows_of_piece(width);
     glUseProgram(picture->program[PASS_SHADE]);

@@ -24,12 +24,12 @@ enum picture_pass {
 enum picture_texture {
     PICTURE_TONE,    /* one texel: depth_ref, whether anything is masked */
     PICTURE_BLURRED, /* cells: depth blurred across, relief blurred across twice, relief */
-    PICTURE_SHAPE,   /* cells: relief, line, body, mask */
+    PICTURE_MATTER,  /* cells: line, body, hollow, wet */
     PICTURE_INKS,    /* cells: optical thickness */
-    PICTURE_SMOOTH,  /* cells: film, hollow, wet */
-    PICTURE_TALL_SHAPE,
+    PICTURE_SURFACE, /* cells: relief, film, mask */
+    PICTURE_TALL_MATTER,
     PICTURE_TALL_INKS,
-    PICTURE_TALL_SMOOTH,
+    PICTURE_TALL_SURFACE,
     PICTURE_TALL_MASK,
     PICTURE_WEIGHTS_DOWN,
     PICTURE_WEIGHTS_ACROSS,

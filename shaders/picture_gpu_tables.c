@@ -161,8 +161,8 @@ static void window_taps(const struct blur *blur, int count, float *taps)
     }
 }
 
-/* Halves are enough for what is not multiplied by large numbers afterwards: the film's slope goes into the 96th power
- * of a cosine, five times. */
+/* Halves are enough for all but the surface: the film's slope goes, five times, into the 96th power of a cosine, and
+ * the edge of the ink climbs from nothing to twice its thickness over 0.06 of relief. */
 static bool make_layers(struct picture_gpu *picture)
 {
     const struct picture_def *def = &picture->def;
@@ -171,12 +171,12 @@ static bool make_layers(struct picture_gpu *picture)
     sheet.filter = TEXTURE_LINEAR;
     return make(picture, PICTURE_TONE, of(TEXTURE_RGBA32F, 1, 1), NULL) &&
            make(picture, PICTURE_BLURRED, of(TEXTURE_RGBA32F, x, y), NULL) &&
-           make(picture, PICTURE_SHAPE, of(TEXTURE_RGBA16F, x, y), NULL) &&
+           make(picture, PICTURE_MATTER, of(TEXTURE_RGBA16F, x, y), NULL) &&
            make(picture, PICTURE_INKS, of(TEXTURE_RGBA16F, x, y), NULL) &&
-           make(picture, PICTURE_SMOOTH, of(TEXTURE_RGBA32F, x, y), NULL) &&
-           make(picture, PICTURE_TALL_SHAPE, of(TEXTURE_RGBA16F, x, rows), NULL) &&
+           make(picture, PICTURE_SURFACE, of(TEXTURE_RGBA32F, x, y), NULL) &&
+           make(picture, PICTURE_TALL_MATTER, of(TEXTURE_RGBA16F, x, rows), NULL) &&
            make(picture, PICTURE_TALL_INKS, of(TEXTURE_RGBA16F, x, rows), NULL) &&
-           make(picture, PICTURE_TALL_SMOOTH, of(TEXTURE_RGBA32F, x, rows), NULL) &&
+           make(picture, PICTURE_TALL_SURFACE, of(TEXTURE_RGBA32F, x, rows), NULL) &&
            make(picture, PICTURE_TALL_MASK, of(TEXTURE_R32F, x, rows), NULL) &&
            make(picture, PICTURE_SHEET, sheet, NULL);
 }

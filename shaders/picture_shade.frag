@@ -10,9 +10,9 @@ layout(location = 3) uniform float streak;    // pixels a streak
 layout(location = 4) uniform vec3 light;      // direction towards the light
 layout(location = 5) uniform vec3 half_way;   // between it and the eye
 
-layout(binding = 0) uniform sampler2D tall_shape;
+layout(binding = 0) uniform sampler2D tall_matter;
 layout(binding = 1) uniform sampler2D tall_inks;
-layout(binding = 2) uniform sampler2D tall_smooth;
+layout(binding = 2) uniform sampler2D tall_surface;
 layout(binding = 3) uniform sampler2D tall_mask;
 layout(binding = 4) uniform sampler2D weights; // as in picture_tall.comp
 layout(binding = 5) uniform sampler2D grain;   // slopes x, y; 256 pixels square, repeats
@@ -67,13 +67,16 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int first = int(texelFetch(weights, ivec2(pixel.x, 0), 0).x);
-    vec4 sharp = vec4(0.0);
+    float cover = 0.0;
+    float line = 0.0;
     for (int j = 0; j < taps; j++) {
         float weight = texelFetch(weights, ivec2(pixel.x, 1 + j), 0).x;
-        sharp += weight * texelFetch(tall_shape, ivec2(min(first + j, cells_x - 1), pixel.y), 0);
+        ivec2 from = ivec2(min(first + j, cells_x - 1), pixel.y);
+        cover += weight * texelFetch(tall_surface, from, 0).x;
+        line += weight * texelFetch(tall_matter, from, 0).x;
     }
-    float drawn = smooth_between(0.25, 0.75, sharp.y);
-    vec4 here = max(ink_at(pixel, first) * max(sharp.x, drawn), vec4(0.0));
+    float drawn = smooth_between(0.25, 0.75, line);
+    vec4 here = max(ink_at(pixel, first) * max(cover, drawn), vec4(0.0));
     vec3 value = ink_mix(here) / ink_ground() * dim_at(pixel, first);
     colour = vec4(floor(255.0 * encode(min(value, vec3(1.0))) + 0.5) / 255.0, 1.0);
 }
@@ -104,38 +107,37 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int first = int(texelFetch(weights, ivec2(pixel.x, 0), 0).x);
-    vec4 sharp = vec4(0.0); // relief, line, body, slope down
-    vec4 soft = vec4(0.0);  // film, hollow, wet, slope of film down
-    float across = 0.0;
-    float film_across = 0.0;
+    vec4 surface = vec4(0.0); // relief, film, their slopes across
+    vec2 down = vec2(0.0);    // their slopes down
+    vec4 matter = vec4(0.0);  // line, body, hollow, wet
     for (int j = 0; j < taps; j++) {
         vec4 weight = texelFetch(weights, ivec2(pixel.x, 1 + j), 0);
         ivec2 from = ivec2(min(first + j, cells_x - 1), pixel.y);
-        vec4 shape = texelFetch(tall_shape, from, 0);
-        vec4 film = texelFetch(tall_smooth, from, 0);
-        sharp += weight.x * shape;
-        soft += weight.y * film;
-        across += weight.z * shape.x;
-        film_across += weight.w * film.x;
+        vec4 tall = texelFetch(tall_surface, from, 0);
+        surface += weight * tall.xyxy;
+        if (weight.x != 0.0 || weight.y != 0.0) { // else for the slopes alone
+            down += weight.xy * tall.zw;
+            matter += weight.xxyy * texelFetch(tall_matter, from, 0);
+        }
     }
-    float depth = max(sharp.x, 0.0);
+    float depth = max(surface.x, 0.0);
     float carved = smooth_between(0.05, 0.17, depth);
-    float drawn = smooth_between(0.25, 0.75, sharp.y);
-    float veins = max(1.0 + 2.0 * (depth - soft.x), 0.0);
+    float drawn = smooth_between(0.25, 0.75, matter.x);
+    float veins = max(1.0 + 2.0 * (depth - surface.y), 0.0);
     float ink = carved * veins * (1.0 + 4.0 * carved * (1.0 - carved));
     float stroke = drawn * (1.0 + 2.0 * drawn * (1.0 - drawn));
-    float thickness = max(ink, stroke) / max(sharp.z, 0.3);
+    float thickness = max(ink, stroke) / max(matter.y, 0.3);
     float cover = max(carved, drawn);
-    float wet = clamp(1.6 * soft.z, 0.0, 1.0);
+    float wet = clamp(1.6 * matter.w, 0.0, 1.0);
 
-    vec2 slope = 1.2 * vec2(across, sharp.w) + ground_slope(pixel);
+    vec2 slope = 1.2 * vec2(surface.z, down.x) + ground_slope(pixel);
     float lambert = (dot(slope, light.xy) + light.z) / (light.z * sqrt(1.0 + dot(slope, slope)));
-    float shade = max(0.5 * (soft.y - 0.6 * depth), 0.0);
+    float shade = max(0.5 * (matter.z - 0.6 * depth), 0.0);
     float lit = (1.0 + 0.9 * (max(lambert, 0.0) - 1.0)) * (1.0 - shade);
     float gloss = 0.0;
     vec3 base = ink_ground();
     if (cover > 0.0) {
-        vec2 film = vec2(film_across, soft.w);
+        vec2 film = vec2(surface.w, down.y);
         float bulge = (half_way.z - 5.0 * dot(film, half_way.xy)) / sqrt(1.0 + 25.0 * dot(film, film));
         float p2 = max(bulge, 0.0) * max(bulge, 0.0);
         float p4 = p2 * p2;

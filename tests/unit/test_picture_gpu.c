@@ -37,6 +37,9 @@ static void hold_together(const struct picture_case *subject, const struct pictu
            3L * def->width * def->height - difference.count[0] - difference.count[1] - difference.count[2],
            difference.most);
     if (difference.most > ALLOWED) {
+        const uint8_t *a = cpu + 3 * (difference.y * def->width + difference.x);
+        const uint8_t *b = gpu + 3 * (difference.y * def->width + difference.x);
+        printf("%d %d %d, %d %d %d\n", a[0], a[1], a[2], b[0], b[1], b[2]);
         fail_msg("%s: %d apart at %d, %d of %dx%d", what, difference.most, difference.x, difference.y, def->width,
                  def->height);
     }
