@@ -13,9 +13,9 @@ layout(location = 72) uniform float fullest; // optical thickness of an ink that
 layout(binding = 0) uniform sampler2D ground;
 layout(binding = 1) uniform sampler2D ink;
 layout(binding = 2) uniform sampler2D blurred;
-layout(rgba16f, binding = 0) writeonly uniform highp image2D matter;  // line, body, hollow, wet
-layout(rgba16f, binding = 1) writeonly uniform highp image2D inks;    // optical thickness
-layout(rgba32f, binding = 2) writeonly uniform highp image2D surface; // relief (flat: cover), film, mask, 0
+layout(rgba16f, binding = 0) writeonly uniform highp image2D matter;  // line - 1/2, body - 1, hollow, wet
+layout(rgba32f, binding = 1) writeonly uniform highp image2D inks;    // optical thickness
+layout(rgba32f, binding = 2) writeonly uniform highp image2D surface; // relief, film, mask (flat: cover, line, mask)
 
 float line_of(float pigment, float carved)
 {
@@ -33,8 +33,7 @@ void store(ivec2 at, float local, float film, float hollow)
     float pigment = present.x + present.y + present.z + present.w;
 #if PLAIN
     float carved = smooth_between(0.02, 0.1, cell.x);
-    imageStore(surface, at, vec4(clamp(4.0 * cell.x, 0.0, 1.0), 0.0, cell.z, 0.0));
-    imageStore(matter, at, vec4(line_of(pigment, carved), 0.0, 0.0, 0.0));
+    imageStore(surface, at, vec4(clamp(4.0 * cell.x, 0.0, 1.0), line_of(pigment, carved), cell.z, 0.0));
     imageStore(inks, at, amounts);
 #else
     float inverse = 1.0 / depth_ref();
@@ -48,7 +47,8 @@ void store(ivec2 at, float local, float film, float hollow)
     float share = fullest * (1.0 - exp(-pigment * (1.0 / 0.45))) / max(pigment, 1e-6);
     share *= 0.8 + (veins - 0.8) * carved;
     imageStore(surface, at, vec4(relief, film, cell.z, 0.0));
-    imageStore(matter, at, vec4(line_of(pigment, carved), body, hollow, cell.y));
+    // Halves are finest at 0, which is where these matter most.
+    imageStore(matter, at, vec4(line_of(pigment, carved) - 0.5, body - 1.0, hollow, cell.y));
     imageStore(inks, at, present * share);
 #endif
 }

@@ -72,8 +72,9 @@ void main()
     for (int j = 0; j < taps; j++) {
         float weight = texelFetch(weights, ivec2(pixel.x, 1 + j), 0).x;
         ivec2 from = ivec2(min(first + j, cells_x - 1), pixel.y);
-        cover += weight * texelFetch(tall_surface, from, 0).x;
-        line += weight * texelFetch(tall_matter, from, 0).x;
+        vec2 tall = texelFetch(tall_surface, from, 0).xy;
+        cover += weight * tall.x;
+        line += weight * tall.y;
     }
     float drawn = smooth_between(0.25, 0.75, line);
     vec4 here = max(ink_at(pixel, first) * max(cover, drawn), vec4(0.0));
@@ -109,7 +110,7 @@ void main()
     int first = int(texelFetch(weights, ivec2(pixel.x, 0), 0).x);
     vec4 surface = vec4(0.0); // relief, film, their slopes across
     vec2 down = vec2(0.0);    // their slopes down
-    vec4 matter = vec4(0.0);  // line, body, hollow, wet
+    vec4 matter = vec4(0.0);  // line - 1/2, body - 1, hollow, wet
     for (int j = 0; j < taps; j++) {
         vec4 weight = texelFetch(weights, ivec2(pixel.x, 1 + j), 0);
         ivec2 from = ivec2(min(first + j, cells_x - 1), pixel.y);
@@ -122,11 +123,11 @@ void main()
     }
     float depth = max(surface.x, 0.0);
     float carved = smooth_between(0.05, 0.17, depth);
-    float drawn = smooth_between(0.25, 0.75, matter.x);
+    float drawn = smooth_between(-0.25, 0.25, matter.x);
     float veins = max(1.0 + 2.0 * (depth - surface.y), 0.0);
     float ink = carved * veins * (1.0 + 4.0 * carved * (1.0 - carved));
     float stroke = drawn * (1.0 + 2.0 * drawn * (1.0 - drawn));
-    float thickness = max(ink, stroke) / max(matter.y, 0.3);
+    float thickness = max(ink, stroke) / max(matter.y + 1.0, 0.3);
     float cover = max(carved, drawn);
     float wet = clamp(1.6 * matter.w, 0.0, 1.0);
 
