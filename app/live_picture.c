@@ -5,6 +5,8 @@
 #include "picture_gpu.h"
 #include "script_sheet.h"
 
+enum { TONE_FOLLOW = 240 }; /* pictures: the tone of a growing painting holds still for the eye */
+
 void live_picture_init(struct live_picture *picture, const struct script *script, bool xray,
                        const struct shader_folder *folder)
 {
@@ -33,6 +35,7 @@ static bool fit(struct live_picture *picture, struct display_size size, const st
     picture->def = script_picture(picture->script, size.width, size.height);
     picture->def.cells_x = fields->width;
     picture->def.cells_y = fields->height;
+    picture->def.follow = TONE_FOLLOW;
     picture->picture = picture_gpu_create(&picture->def, picture->folder, error);
     return picture->picture;
 }
