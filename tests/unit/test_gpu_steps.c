@@ -457,6 +457,7 @@ static void sources_are_reloaded(void **state)
     struct shader_folder from = {folder};
     struct engine *engine = engine_gpu_create(&def, &from, &error);
     assert_non_null(engine);
+    prefer_strips(engine, false); /* fluid.comp is at work */
     struct action drop = drop_at(0.5f, 0.5f, 0);
     engine->ops->act(engine, &drop);
     write_source(folder, "fluid.comp", "void main() { this is no shader }\n");
