@@ -13,11 +13,16 @@ enum {
     DEPOSIT_ROWS = DEPOSIT_CELLS / DEPOSIT_COLUMNS,
     GROUND_PLANES = 4,
     GROUND_CELLS = 1 << 16, /* that go up at a time */
+    TEXTURES = 4,           /* in turn: the GPU may still be reading the last ones */
 };
 
+enum { PROGRAM_DEPOSIT, PROGRAM_GROUND, PROGRAM_COUNT };
+
 struct gpu_act {
-    unsigned program;
-    unsigned texture; /* rg32f, cover and seed */
+    unsigned programs[PROGRAM_COUNT];
+    unsigned textures[TEXTURES]; /* rg32f, cover and seed */
+    int turn;
+    unsigned packed; /* GL buffer: ground on its way */
     struct deposit deposit;
     float *texels;   /* [DEPOSIT_CELLS][2] */
     uint32_t *words; /* [GROUND_PLANES][GROUND_CELLS] at most */
@@ -25,8 +30,8 @@ struct gpu_act {
 
 bool gpu_act_reload(struct painting_gpu *gpu, struct shader_error *error)
 {
-    static const struct gpu_program_part PARTS[] = {{"deposit.comp", NULL}};
-    return gpu_make_programs(gpu, PARTS, 1, &gpu->act->program, error);
+    static const struct gpu_program_part PARTS[PROGRAM_COUNT] = {{"deposit.comp", NULL}, {"ground.comp", NULL}};
+    return gpu_make_programs(gpu, PARTS, PROGRAM_COUNT, gpu->act->programs, error);
 }
 
 static const struct texture_def TEXTURE = {.format = TEXTURE_RG32F, .width = DEPOSIT_COLUMNS, .height = DEPOSIT_ROWS};
@@ -43,10 +48,13 @@ bool gpu_act_create(struct painting_gpu *gpu, struct shader_error *error)
     if (!deposit_init(&act->deposit, &bytes) || !act->texels || !act->words) {
         return shader_fail(error, "actions: memory is short");
     }
-    act->texture = texture_create(&TEXTURE);
-    if (!act->texture) {
-        return shader_fail(error, "actions: the GPU has no memory for a texture");
+    for (int i = 0; i < TEXTURES; i++) {
+        act->textures[i] = texture_create(&TEXTURE);
+        if (!act->textures[i]) {
+            return shader_fail(error, "actions: the GPU has no memory for a texture");
+        }
     }
+    glGenBuffers(1, &act->packed);
     return gpu_act_reload(gpu, error);
 }
 
@@ -56,8 +64,13 @@ void gpu_act_destroy(struct painting_gpu *gpu)
     if (!act) {
         return;
     }
-    glDeleteProgram(act->program);
-    texture_delete(&act->texture);
+    for (int i = 0; i < PROGRAM_COUNT; i++) {
+        glDeleteProgram(act->programs[i]);
+    }
+    for (int i = 0; i < TEXTURES; i++) {
+        texture_delete(&act->textures[i]);
+    }
+    glDeleteBuffers(1, &act->packed);
     deposit_finish(&act->deposit);
     free(act->texels);
     free(act->words);
@@ -84,22 +97,33 @@ static void pack_ground(const struct ground *ground, struct rectangle cells, uin
     }
 }
 
-static bool upload_ground(struct painting_gpu *gpu, struct rectangle cells)
+static void upload_band(struct painting_gpu *gpu, struct rectangle band)
 {
-    int rows = GROUND_CELLS / (cells.x1 - cells.x0);
-    bool whole = true;
-    for (int y = cells.y0; y < cells.y1; y += rows) {
-        struct rectangle band = {cells.x0, cells.x1, y, y + rows < cells.y1 ? y + rows : cells.y1};
-        pack_ground(gpu->ground, band, gpu->act->words);
-        whole = gpu_write_planes(gpu, BUFFER_SHEET, GPU_ALPHA_A_XI, GROUND_PLANES, band, gpu->act->words) && whole;
-    }
-    gpu_read_note_ground(gpu, cells);
-    return whole;
+    int across = band.x1 - band.x0, down = band.y1 - band.y0;
+    size_t bytes = (size_t)GROUND_PLANES * (size_t)across * (size_t)down * sizeof(uint32_t);
+    pack_ground(gpu->ground, band, gpu->act->words);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu->act->packed);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)bytes, gpu->act->words, GL_STREAM_DRAW); /* new room: no wait */
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, gpu->sheet);
+    glUniform4i(2, band.x0, band.y0, across, down);
+    glDispatchCompute((GLuint)(across + 31) / 32, (GLuint)(down + 3) / 4, 1);
 }
 
-bool gpu_act_upload_ground(struct painting_gpu *gpu)
+static void upload_ground(struct painting_gpu *gpu, struct rectangle cells)
 {
-    return upload_ground(gpu, (struct rectangle){0, gpu->width, 0, gpu->height});
+    int rows = GROUND_CELLS / (cells.x1 - cells.x0);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glUseProgram(gpu->act->programs[PROGRAM_GROUND]);
+    for (int y = cells.y0; y < cells.y1; y += rows) {
+        upload_band(gpu, (struct rectangle){cells.x0, cells.x1, y, y + rows < cells.y1 ? y + rows : cells.y1});
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gpu_read_note_ground(gpu, cells);
+}
+
+void gpu_act_upload_ground(struct painting_gpu *gpu)
+{
+    upload_ground(gpu, (struct rectangle){0, gpu->width, 0, gpu->height});
 }
 
 static void upload_part(struct gpu_act *act)
@@ -113,7 +137,8 @@ static void upload_part(struct gpu_act *act)
     }
     int rows = (cells + DEPOSIT_COLUMNS - 1) / DEPOSIT_COLUMNS;
     glActiveTexture(GL_TEXTURE0);
-    texture_upload(act->texture, &TEXTURE, 0, 0, 0, DEPOSIT_COLUMNS, rows, act->texels);
+    act->turn = (act->turn + 1) % TEXTURES;
+    texture_upload(act->textures[act->turn], &TEXTURE, 0, 0, 0, DEPOSIT_COLUMNS, rows, act->texels);
 }
 
 static void apply_part(struct painting_gpu *gpu)
@@ -123,7 +148,7 @@ static void apply_part(struct painting_gpu *gpu)
     int left = part.x0 / GPU_TILE, right = (part.x1 + GPU_TILE - 1) / GPU_TILE;
     int top = part.y0 / GPU_TILE, bottom = (part.y1 + GPU_TILE - 1) / GPU_TILE;
     upload_part(gpu->act);
-    glUseProgram(gpu->act->program);
+    glUseProgram(gpu->act->programs[PROGRAM_DEPOSIT]);
     glUniform4i(2, part.x0, part.x1, part.y0, part.y1);
     glUniform4i(3, left, top, (int)deposit->verb, deposit->ink);
     glUniform3f(4, deposit->solvent, deposit->amount, DEPOSIT_CARVED);

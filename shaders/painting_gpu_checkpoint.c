@@ -78,7 +78,8 @@ bool gpu_load(struct painting_gpu *gpu, const struct checkpoint *checkpoint)
     gpu->def.seed = checkpoint->def.seed;
     gpu->def.coefficients = checkpoint->def.coefficients;
     gpu->tick = checkpoint->tick;
-    bool whole = gpu_act_upload_ground(gpu);
+    bool whole = true;
+    gpu_act_upload_ground(gpu);
     for (int i = 0; i < STRETCH_COUNT; i++) {
         const struct stretch *stretch = &STRETCHES[i];
         whole = whole && gpu_write_planes(gpu, stretch->kind, stretch->first, stretch->count, whole_of(gpu),

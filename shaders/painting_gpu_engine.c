@@ -115,11 +115,7 @@ struct engine *engine_gpu_create(const struct painting_def *def, const struct sh
         destroy(&gpu->engine);
         return NULL;
     }
-    if (!gpu_act_upload_ground(gpu)) {
-        shader_fail(error, "the ground of the painting does not reach the GPU");
-        destroy(&gpu->engine);
-        return NULL;
-    }
+    gpu_act_upload_ground(gpu);
     gpu_steps_touch(gpu, (struct rectangle){0, gpu->width, 0, gpu->height});
     return &gpu->engine;
 }

@@ -186,8 +186,8 @@ bool gpu_act_reload(struct painting_gpu *gpu, struct shader_error *error);
 void gpu_act_destroy(struct painting_gpu *gpu);
 /* As painting_act. */
 void gpu_act(struct painting_gpu *gpu, const struct action *action);
-/* The whole ground from the CPU's copy. False when the GPU does not answer. */
-bool gpu_act_upload_ground(struct painting_gpu *gpu);
+/* The whole ground from the CPU's copy. */
+void gpu_act_upload_ground(struct painting_gpu *gpu);
 
 bool gpu_upkeep_create(struct painting_gpu *gpu, struct shader_error *error);
 bool gpu_upkeep_reload(struct painting_gpu *gpu, struct shader_error *error);
