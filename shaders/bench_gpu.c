@@ -93,7 +93,8 @@ static void drop_inks(struct engine *engine)
 {
     for (int i = 0; i < DROPS; i++) {
         struct action drop = action_default(ACTION_DROP);
-        drop.at = (struct point){0.125f + 0.25f * (float)(i % 4), 0.17f + 0.33f * (float)(i / 4)};
+        int column = i % 4, line = i / 4;
+        drop.at = (struct point){0.125f + 0.25f * (float)column, 0.17f + 0.33f * (float)line};
         drop.ink = i % PAINTING_INKS;
         engine->ops->act(engine, &drop);
     }

@@ -33,14 +33,10 @@ enum steps_program {
 static const struct {
     const char *source, *defines;
 } SOURCES[STEPS_PROGRAMS] = {
-    [PROGRAM_WAKE] = {"wake.comp", NULL},
-    [PROGRAM_MARK] = {"mark.comp", NULL},
-    [PROGRAM_STIR] = {"stir.comp", NULL},
-    [PROGRAM_OPENNESS] = {"openness.comp", NULL},
-    [PROGRAM_FLUID] = {"fluid.comp", NULL},
-    [PROGRAM_FLUID_STRIP] = {"fluid_strip.comp", NULL},
-    [PROGRAM_PATCH] = {"pattern.comp", NULL},
-    [PROGRAM_PATCH_WHOLE] = {"pattern.comp", "#define WHOLE"},
+    [PROGRAM_WAKE] = {"wake.comp", NULL},           [PROGRAM_MARK] = {"mark.comp", NULL},
+    [PROGRAM_STIR] = {"stir.comp", NULL},           [PROGRAM_OPENNESS] = {"openness.comp", NULL},
+    [PROGRAM_FLUID] = {"fluid.comp", NULL},         [PROGRAM_FLUID_STRIP] = {"fluid_strip.comp", NULL},
+    [PROGRAM_PATCH] = {"pattern.comp", NULL},       [PROGRAM_PATCH_WHOLE] = {"pattern.comp", "#define WHOLE"},
     [PROGRAM_STRIP] = {"pattern_strip.comp", NULL},
 };
 

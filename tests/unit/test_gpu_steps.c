@@ -4,12 +4,13 @@
  * How far the engines may be apart. Both do the same operations in the same order, so a value differs by a rounding
  * here and there (6e-8 of it). Of that grows:
  *   - liquid: what crosses a link is rounded to multiples of the dead band, 2^-13; a rounding that falls to the other
- *     side moves one band more or less. Such errors are as often left as right and diffuse away: two to three bands at
- *     50 ticks, and no more at 800 (128x128, three drops). Allowed: eight bands.
+ *     side moves one band more or less. Such errors are as often up as down and diffuse away: the density of a cell is
+ *     up to six bands apart at 50 ticks, at 150 and at 800. Allowed: twelve.
  *   - pattern: solvent counts up to s_max, where a band more or less is nothing; elsewhere it is 1e-4 of the growth.
- * 3e-7 after 100 ticks, 2e-4 after 800, when the front has crossed the sheet. Allowed over 150 ticks: 1e-4.
+ * 4e-7 after 150 ticks (4e-6 where s_max is so high that it does not bind), 2e-4 after 800, when the front has crossed
+ *     the sheet. Allowed over 150 ticks: 2e-5.
  *   - pigment: moves by the flux over the density of the ink, so where ink is thin (.02) a band is a share of .6 %. It
- * is weighed by the density of its ink, which is what the eye sees: 1e-3 after 100 ticks. Allowed: 1e-2. */
+ * is weighed by the density of its ink, which is what the eye sees: 5e-3 after 150 ticks. Allowed: 2e-2. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -29,9 +30,9 @@
 #include "painting_gpu_state.h"
 
 #define BAND           (1.0f / 8192)
-#define LIQUID_WITHIN  (8 * BAND)
-#define PATTERN_WITHIN 1e-4f
-#define PIGMENT_WITHIN 1e-2f
+#define LIQUID_BANDS   12
+#define PATTERN_WITHIN 2e-5f
+#define PIGMENT_WITHIN 2e-2f
 
 struct apart { /* greatest differences */
     float liquid, pigment, pattern;
@@ -118,7 +119,7 @@ static void drops_grow_alike(bool strips)
     three_drops(&both);
     for (int ticks = 0; ticks < 150; ticks += 50) {
         gpu_case_tick(&both, 50);
-        assert_near(&both, 8);
+        assert_near(&both, LIQUID_BANDS);
     }
     struct painting_totals totals = both.cpu->ops->totals(both.cpu);
     assert_true(totals.carved > 500); /* it did grow */
@@ -170,7 +171,7 @@ static void busy_ground_is_the_same(void **state)
         busy_ground(&both);
         three_drops(&both);
         gpu_case_tick(&both, 60);
-        assert_near(&both, 8);
+        assert_near(&both, LIQUID_BANDS);
         gpu_case_finish(&both);
     }
 }
@@ -187,7 +188,7 @@ static void flood_lets_ink_cross(void **state)
     struct action drop = drop_at(0.5f, 0.5f, 0);
     gpu_case_act(&both, &drop);
     gpu_case_tick(&both, 20);
-    assert_near(&both, 8);
+    assert_near(&both, LIQUID_BANDS);
     gpu_case_finish(&both);
 }
 
@@ -217,7 +218,7 @@ static void any_coefficients_are_the_same(void **state)
         prefer_strips(both.gpu, VARIATIONS[i].strips);
         three_drops(&both);
         gpu_case_tick(&both, 25);
-        assert_near(&both, 8);
+        assert_near(&both, LIQUID_BANDS);
         gpu_case_finish(&both);
     }
 }
@@ -417,7 +418,10 @@ static void write_source(const char *folder, const char *name, const char *text)
     char path[300];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *file = fopen(path, "wb");
-    assert_non_null(file);
+    if (!file) {
+        fail_msg("%s cannot be written", path);
+        return;
+    }
     assert_int_equal(fwrite(text, 1, strlen(text), file), strlen(text));
     fclose(file);
 }
@@ -445,18 +449,19 @@ static void sources_are_reloaded(void **state)
     (void)state;
     char folder[] = "gpu-steps-XXXXXX";
     assert_non_null(mkdtemp(folder));
-    const char *fluid = NULL;
+    const char *fluid = "";
     for (const struct shader_source *source = shader_sources; source->name; source++) {
         write_source(folder, source->name, source->text);
         fluid = strcmp(source->name, "fluid.comp") == 0 ? source->text : fluid;
     }
-    assert_non_null(fluid);
+    assert_true(fluid[0] != '\0');
     struct display *display = gpu_display();
     struct painting_def def = sheet(64, 64);
     struct shader_error error = {""};
     struct shader_folder from = {folder};
     struct engine *engine = engine_gpu_create(&def, &from, &error);
     assert_non_null(engine);
+    prefer_strips(engine, false); /* fluid.comp is at work */
     struct action drop = drop_at(0.5f, 0.5f, 0);
     engine->ops->act(engine, &drop);
     write_source(folder, "fluid.comp", "void main() { this is no shader }\n");
