@@ -47,7 +47,8 @@ own_lists() {
     say "fetching package lists"
     mkdir -p "$new/lists/partial"
     apt+=(-o "Dir::State::Lists=$new/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache=)
-    timeout 180 apt-get "${apt[@]}" update >>"$new/log" 2>&1 || skip "the package lists cannot be fetched; is there a network?"
+    # Ends with 0 even when nothing could be fetched: whether it helped is seen from what is known then.
+    timeout 180 apt-get "${apt[@]}" update >>"$new/log" 2>&1 || true
 }
 kernel_package() { # prints linux-image-6.1.0-N-amd64 and its version
     local image
@@ -77,13 +78,21 @@ choose_kernel() {
     packages=("$image" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "linux-kbuild-$series"
         "linux-source-$series" busybox-static "${guest_packages[@]}")
 }
+# Fetches `packages` into the set being made, or sets `why` and fails.
 fetch() {
     mkdir -p "$new/packages"
     # One small package first: without a network this ends at once, or after twenty seconds.
-    if ! choose_kernel || ! download busybox-static || ! download "${packages[@]}"; then
-        own_lists
-        choose_kernel || skip "apt offers no linux-image-amd64"
-        download "${packages[@]}" || skip "the kernel's packages cannot be fetched: $(tail -n 1 "$new/log")"
+    if choose_kernel && download busybox-static && download "${packages[@]}"; then
+        return
+    fi
+    own_lists
+    if ! choose_kernel; then
+        why="apt knows no linux-image-amd64; is there a network? $(grep -m 1 '^[WE]:' "$new/log" || true)"
+        return 1
+    fi
+    if ! download "${packages[@]}"; then
+        why="the kernel's packages cannot be fetched: $(tail -n 1 "$new/log")"
+        return 1
     fi
 }
 
@@ -212,21 +221,28 @@ make_parts() {
     rm -rf "${new:?}"/{packages,lists,kernel,headers,source,build,bin,base.d,probe.d,modules.list}
 }
 
-# Makes a set unless there is one of the kernel that apt offers now; without a network an older kernel's will do.
+# Makes a set unless there is one of the kernel that apt offers now. Where that cannot be fetched, an older one will do.
 prepare() {
-    local obstacle name image version release series packages found
+    local obstacle name image version release series packages found have why
     obstacle=$(prepare_obstacle)
     [[ ! $obstacle ]] || skip "${obstacle//$'\n'/; }"
     mkdir -p "$cache"
     exec {lock}>"$cache/lock"
     flock -w 900 "$lock" || fail "another preparation has held $cache/lock for a quarter of an hour"
-    if found=$(kernel_package) && [[ -s $cache/${found#* }-$(prepare_hash)/version ]]; then
+    found=$(kernel_package) || found=
+    have=$(prepared) || have=
+    if [[ $have && (! $found || $(<"$have/version") == "${found#* }") ]]; then
         return
     fi
     say "preparing in $cache: fetching Debian's kernel"
     rm -rf "$cache"/new.* # of a run that was killed: under the lock nobody is at work there
     new=$(mktemp -d "$cache/new.XXXXXX")
-    fetch
+    if ! fetch; then
+        [[ $have ]] || skip "$why"
+        say "$why"
+        say "going on with ${have##*/}"
+        return
+    fi
     say "building the modules of kernel $version"
     make_parts
     name=$version-$(prepare_hash)
