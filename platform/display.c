@@ -87,6 +87,14 @@ static void choose(const struct display_def *def, const struct display_source *s
     why[count++] = "neither a desktop nor a screen of the board can be had";
 }
 
+static const char *keep(char *place, size_t size, const char *text)
+{
+    if (text) {
+        snprintf(place, size, "%s", text);
+    }
+    return text ? place : NULL;
+}
+
 static struct display *try_source(const struct display_def *def, const struct display_source *source, const char *why,
                                   struct display_error *error)
 {
@@ -96,6 +104,8 @@ static struct display *try_source(const struct display_def *def, const struct di
         return NULL;
     }
     display->def = *def;
+    display->def.card = keep(display->card, sizeof display->card, def->card);
+    display->def.connector = keep(display->connector, sizeof display->connector, def->connector);
     display->source = source;
     display->egl.display = EGL_NO_DISPLAY;
     display->egl.context = EGL_NO_CONTEXT;
@@ -108,11 +118,14 @@ static struct display *try_source(const struct display_def *def, const struct di
     return display;
 }
 
-static bool valid(const struct display_def *def, struct display_error *error)
+static bool is_valid(const struct display_def *def, struct display_error *error)
 {
     if (def->width < 0 || def->width > DISPLAY_SIZE_MAX || def->height < 0 || def->height > DISPLAY_SIZE_MAX) {
         return display_fail(error, "a display of %dx%d: 0..%d pixels a side are allowed", def->width, def->height,
                             DISPLAY_SIZE_MAX);
+    }
+    if (def->refresh_mhz < 0 || def->refresh_mhz > DISPLAY_REFRESH_MAX_MHZ) {
+        return display_fail(error, "a display at %d mHz: 0..%d are allowed", def->refresh_mhz, DISPLAY_REFRESH_MAX_MHZ);
     }
     if (def->rotation % 90 != 0 || def->rotation < 0 || def->rotation > 270) {
         return display_fail(error, "a display turned by %d degrees: 0, 90, 180 or 270 are allowed", def->rotation);
@@ -126,7 +139,7 @@ struct display *display_create(const struct display_def *def, struct display_err
     const char *why[3] = {"", "", ""};
     char reasons[sizeof error->text] = "";
     size_t used = 0;
-    if (!valid(def, error)) {
+    if (!is_valid(def, error)) {
         return NULL;
     }
     choose(def, sources, why);
@@ -190,10 +203,11 @@ void display_turn(const struct display *display, float turn[4])
 {
     static const float COSINE[4] = {1, 0, -1, 0}, SINE[4] = {0, 1, 0, -1};
     float c = COSINE[display->def.rotation / 90], s = SINE[display->def.rotation / 90];
+    float up = display->flipped ? -1.f : 1.f;
     turn[0] = c;
-    turn[1] = -s;
+    turn[1] = -s * up;
     turn[2] = s;
-    turn[3] = c;
+    turn[3] = c * up;
 }
 
 void display_untouch(const struct display *display, float *x, float *y)
@@ -235,6 +249,7 @@ bool display_begin(struct display *display)
 
 void display_end(struct display *display)
 {
+    display->drawn = true;
     display->source->end(display);
 }
 

@@ -5,7 +5,7 @@
 
 #include "display_source.h"
 
-/* Where in the framebuffer, counted from its lower left, the pixel of the sheet lies. */
+/* Where in the framebuffer, counted from GL's lower left, the pixel of the sheet lies. */
 static size_t framebuffer_index(const struct display *display, int x, int y)
 {
     struct display_size panel = display->panel;
@@ -26,13 +26,14 @@ static size_t framebuffer_index(const struct display *display, int x, int y)
     default:
         break;
     }
-    return (size_t)(panel.height - 1 - down) * (size_t)panel.width + (size_t)across;
+    int row = display->flipped ? down : panel.height - 1 - down;
+    return (size_t)row * (size_t)panel.width + (size_t)across;
 }
 
 bool display_capture(struct display *display, uint8_t *rgb)
 {
     struct display_size panel = display->panel, sheet = display_sheet(display);
-    if (display->frames.presented == 0 || display->lost || !display_egl_enter(&display->egl)) {
+    if (!display->drawn || display->lost || !display_egl_enter(&display->egl)) {
         return false;
     }
     uint8_t *pixels = malloc((size_t)panel.width * (size_t)panel.height * 4);

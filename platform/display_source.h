@@ -15,7 +15,7 @@ struct display_source {
     bool (*create)(struct display *display, struct display_error *error);
     void (*destroy)(struct display *display);
     void (*wait)(struct display *display, int timeout_ms);
-    bool (*begin)(struct display *display); /* the context is current */
+    bool (*begin)(struct display *display); /* the context is current; sets and binds framebuffer */
     void (*end)(struct display *display);
     void (*power)(struct display *display, bool on); /* NULL: no such thing */
     bool (*renew)(struct display *display, struct display_error *error);
@@ -29,11 +29,14 @@ struct display {
     enum display_state state;
     struct display_size panel;
     struct display_frames frames;
-    unsigned framebuffer;
+    unsigned framebuffer; /* that is being drawn, or was drawn last */
+    bool drawn;           /* it holds a whole frame */
+    bool flipped;         /* its lowest row is the panel's uppermost */
     bool closed, lost;
+    char card[64], connector[32];        /* what def's pointers point to */
     char why[100];                       /* why this source was taken */
-    char note[160];                      /* what the source says of itself */
-    char text[300];                      /* display_describe */
+    char note[240];                      /* what the source says of itself */
+    char text[400];                      /* display_describe */
     struct event events[DISPLAY_EVENTS]; /* a ring */
     unsigned first, count;
 };
