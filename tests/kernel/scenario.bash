@@ -51,6 +51,7 @@ start() { # start NAME COMMAND...: in the background; what `tell` says is its st
     shift
     rm -f "/run/$name.in"
     mkfifo "/run/$name.in"
+    : >"$out/$name.log"
     exec {stdin}<>"/run/$name.in"
     "$@" <&"$stdin" >"$out/$name.log" 2>&1 &
     pid[$name]=$!
