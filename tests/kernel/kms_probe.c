@@ -4,6 +4,7 @@
  *   --card PATH --connector NAME --mode WxH[@HZ] --rotation DEGREES --legacy
  *   --start-unplugged    the connector is forced off before the start, and plugged in again after
  *   --frames N           frames to be shown                    (60)
+ *   --plain              frames of one colour, which take no time: for what needs many
  *   --capture FILE       the last of them as a PPM, after it has been compared with what it should be
  *   --shot COMMAND       runs it while the picture stands still (a screenshot from outside), with PROBE_SHOT in its
  *                        environment: shown, dark or lent
@@ -44,7 +45,7 @@ struct probe {
     struct pattern pattern;
     enum display_state state;
     int frames, lend, power, unplug, hold;
-    bool start_unplugged, reset, stay;
+    bool start_unplugged, reset, stay, plain;
     const char *capture, *shot;
     long drawn;
 };
@@ -79,7 +80,12 @@ static void turn_loop(struct probe *probe)
     display_wait(probe->display, 20);
     tell(probe);
     if (display_begin(probe->display)) {
-        pattern_draw(&probe->pattern, probe->display);
+        if (probe->plain) {
+            glClearColor((float)(probe->drawn % 2), 0, 1, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+        } else {
+            pattern_draw(&probe->pattern, probe->display);
+        }
         display_end(probe->display);
         probe->drawn++;
     }
@@ -468,7 +474,7 @@ static bool read_option(struct probe *probe, int option)
 
 static bool read_options(struct probe *probe, int count, char **arguments)
 {
-    int legacy = 0, start_unplugged = 0, reset = 0, remain = 0;
+    int legacy = 0, start_unplugged = 0, reset = 0, remain = 0, plain = 0;
     const struct option options[] = {{"kind", 1, NULL, 'k'},      {"card", 1, NULL, 'c'},
                                      {"connector", 1, NULL, 'n'}, {"mode", 1, NULL, 'm'},
                                      {"rotation", 1, NULL, 'r'},  {"capture", 1, NULL, 'o'},
@@ -477,7 +483,7 @@ static bool read_options(struct probe *probe, int count, char **arguments)
                                      {"unplug", 1, NULL, 4},      {"hold", 1, NULL, 5},
                                      {"legacy", 0, &legacy, 1},   {"start-unplugged", 0, &start_unplugged, 1},
                                      {"reset", 0, &reset, 1},     {"stay", 0, &remain, 1},
-                                     {NULL, 0, NULL, 0}};
+                                     {"plain", 0, &plain, 1},     {NULL, 0, NULL, 0}};
     int *const numbers[] = {&probe->frames, &probe->lend, &probe->power, &probe->unplug, &probe->hold};
     int option = 0;
     while ((option = getopt_long(count, arguments, "", options, NULL)) != -1) {
@@ -491,6 +497,7 @@ static bool read_options(struct probe *probe, int count, char **arguments)
     probe->start_unplugged = start_unplugged;
     probe->reset = reset;
     probe->stay = remain;
+    probe->plain = plain;
     return optind == count;
 }
 

@@ -15,7 +15,7 @@
 #     }
 #     scenario "$@"
 #
-# Every check is a line of the test's output: `ok` or `FAILED`. A failed one does not end the scenario, so that one run
+# Every check is a line of the test's output: `ok` or `FAILED`, and the time. A failed one does not end the scenario, so that one run
 # tells all; what was printed to a log is shown with the first that fails after it.
 set -uo pipefail
 
@@ -24,14 +24,14 @@ failures=0
 declare -A pid=() # of what `start` has started, by name
 
 check() { # check WHAT COMMAND...
-    local what=$1 said began=$SECONDS
+    local what=$1 said
     shift
     if "$@"; then
-        printf 'ok      %s\n' "$what"
+        printf 'ok  %3d s  %s\n' $SECONDS "$what"
         return 0
     fi
     failures=$((failures + 1))
-    printf 'FAILED  %s: %s (after %d s)\n' "$what" "$*" $((SECONDS - began))
+    printf 'FAILED %3d s  %s: %s\n' $SECONDS "$what" "$*"
     for said in "$out"/*.log; do
         [[ ! -s $said ]] || { printf -- '---- %s\n' "${said##*/}" && tail -n 12 "$said" && printf -- '----\n'; }
     done
