@@ -1,22 +1,26 @@
 # shellcheck shell=bash
-# What the programs of scenarios share. Such a program is started here with LIMIT BUILD OUT; it boots the machine, which
-# starts it again inside:
+# What the programs of scenarios share. Such a program is started here; it boots the machine, which starts it again inside,
+# where one scene after the other is played. Then what was seen of each from outside is looked at here.
+#
+#     tests/kernel/display_virtio LIMIT BUILD OUT [SCENE...]
+#     tests/kernel/display_virtio 120 build/release /tmp/look frames        one scene of it, by hand
 #
 #     source "$(dirname "${BASH_SOURCE[0]}")/scenario.bash"
 #     boot=(--gpu virtio)                                      options of `machine run`
-#     before() { ...; }                                        here, first; may be left out
-#     inside() {
+#     scenes=(frames)
+#     frames() {                                               inside
 #         start probe "$build/..." --frames 20                 its output goes to probe.log in OUT
 #         check "a frame is shown" await probe 20 'frame 1'
 #         check "a screenshot is taken" outside shot first     first.png in OUT
 #     }
-#     afterwards() {
+#     frames_before() { ...; }                                 here, before; may be left out
+#     frames_after() {                                         here, after; may be left out
 #         check "the screen shows what was drawn" same drawn.png first.png
 #     }
 #     scenario "$@"
 #
-# Every check is a line of the test's output: `ok` or `FAILED`, and the time. A failed one does not end the scenario, so that one run
-# tells all; what was printed to a log is shown with the first that fails after it.
+# Every check is a line of the test's output: `ok` or `FAILED`, and the time. A failed one does not end the scenario, so
+# that one run tells all; the ends of the logs are shown with it.
 set -uo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -111,37 +115,43 @@ different() {
     ((status == 1))
 }
 
-before() { :; }
-afterwards() { :; }
 boot=()
+scenes=()
 
+# Plays NAME or NAME_before or NAME_after of each scene, where there is one.
+play() { # play SUFFIX
+    local scene
+    for scene in "${scenes[@]}"; do
+        ! declare -F "$scene$1" >/dev/null || "$scene$1"
+    done
+}
+play_inside() {
+    local name
+    mkfifo /run/clock
+    play ''
+    for name in "${!pid[@]}"; do
+        kill "${pid[$name]}" 2>/dev/null
+    done
+    exit $((failures > 0))
+}
 scenario() {
-    local status=0
-    if [[ ${1:-} == inside ]]; then
-        build=$2 out=$MACHINE_OUT
-        mkfifo /run/clock
-        inside
-        local name
-        for name in "${!pid[@]}"; do
-            kill "${pid[$name]}" 2>/dev/null
-        done
-        exit $((failures > 0))
-    fi
-    if (($# != 3)); then
-        printf '%s LIMIT BUILD OUT\n' "$0" >&2
+    local status=0 within=${MACHINE_OUT:-}
+    if (($# < 3)); then
+        printf '%s LIMIT BUILD OUT [SCENE...]\n' "$0" >&2
         exit 2
     fi
-    build=$2 out=$3
+    build=$(realpath "$2") out=${within:-$3}
+    (($# == 3)) || scenes=("${@:4}")
+    [[ ! $within ]] || play_inside
     rm -rf "$out"
     mkdir -p "$out"
-    before
-    "$here/machine" run --prepared --limit "$1" --out "$out" "${boot[@]}" -- "$(realpath "$0")" inside "$build" || status=$?
-    if ((status == 77)); then
-        exit 77
-    fi
+    play _before
+    "$here/machine" run --prepared --limit "$1" --out "$out" "${boot[@]}" -- \
+        "$(realpath "$0")" "$1" "$build" "$3" "${scenes[@]}" || status=$?
+    ((status != 77)) || exit 77
     ((status <= 1)) || printf 'FAILED  the machine or the scenario ended with %d\n' "$status"
     ((status == 0)) || failures=$((failures + 1))
-    afterwards
+    play _after
     printf '%s\n' "screenshots and logs: $out"
     exit $((failures > 0))
 }
