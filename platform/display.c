@@ -1,5 +1,6 @@
 #include "display.h"
 
+#include <poll.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,6 +9,7 @@
 
 #include <GLES3/gl31.h>
 
+#include "display_rotation.h"
 #include "display_source.h"
 
 static const char *const KINDS[DISPLAY_KINDS] = {"auto", "kms", "window", "headless"};
@@ -40,23 +42,13 @@ uint64_t display_now_us(void)
 
 void display_post(struct display *display, struct event event)
 {
-    if (display->count == DISPLAY_EVENTS) {
-        display->first = (display->first + 1) % DISPLAY_EVENTS;
-        display->count--;
-    }
-    display->events[(display->first + display->count) % DISPLAY_EVENTS] = event;
-    display->count++;
+    event.source = SOURCE_WINDOW;
+    source_post(&display->queue, &event);
 }
 
 bool display_event(struct display *display, struct event *event)
 {
-    if (display->count == 0) {
-        return false;
-    }
-    *event = display->events[display->first];
-    display->first = (display->first + 1) % DISPLAY_EVENTS;
-    display->count--;
-    return true;
+    return source_take(&display->queue, event);
 }
 
 static bool is_desktop(void)
@@ -198,42 +190,41 @@ struct display_size display_sheet(const struct display *display)
     return display->def.rotation % 180 == 0 ? panel : (struct display_size){panel.height, panel.width};
 }
 
-/* Clockwise on the panel: what points up on the sheet points right at 90 degrees. */
 void display_turn(const struct display *display, float turn[4])
 {
-    static const float COSINE[4] = {1, 0, -1, 0}, SINE[4] = {0, 1, 0, -1};
-    float c = COSINE[display->def.rotation / 90], s = SINE[display->def.rotation / 90];
-    float up = display->flipped ? -1.f : 1.f;
-    turn[0] = c;
-    turn[1] = -s * up;
-    turn[2] = s;
-    turn[3] = c * up;
+    rotation_matrix(display->def.rotation, display->flipped, turn);
 }
 
 void display_untouch(const struct display *display, float *x, float *y)
 {
-    float across = *x, down = *y;
-    switch (display->def.rotation) {
-    case 90:
-        *x = down;
-        *y = 1 - across;
-        break;
-    case 180:
-        *x = 1 - across;
-        *y = 1 - down;
-        break;
-    case 270:
-        *x = 1 - down;
-        *y = across;
-        break;
-    default:
-        break;
-    }
+    rotation_untouch(display->def.rotation, x, y);
 }
 
 void display_wait(struct display *display, int timeout_ms)
 {
-    display->source->wait(display, display->count > 0 || display->closed ? 0 : timeout_ms);
+    display->source->wait(display, display->queue.count > 0 || display->closed ? 0 : timeout_ms);
+}
+
+void display_wake_on(struct display *display, const int *fds, int count)
+{
+    display->wake_count = count < DISPLAY_WAKES ? count : DISPLAY_WAKES;
+    memcpy(display->wakes, fds, (size_t)display->wake_count * sizeof fds[0]);
+}
+
+bool display_poll(const struct display *display, const int own[2], int timeout_ms)
+{
+    struct pollfd fds[DISPLAY_WAKES + 2] = {{own[0], POLLIN, 0}, {own[1], POLLIN, 0}};
+    for (int i = 0; i < display->wake_count; i++) {
+        fds[i + 2] = (struct pollfd){display->wakes[i], POLLIN, 0};
+    }
+    if (poll(fds, (nfds_t)display->wake_count + 2, timeout_ms) < 0) {
+        return true; /* a signal: the caller may have to end */
+    }
+    bool woken = false;
+    for (int i = 0; i < display->wake_count; i++) {
+        woken = woken || fds[i + 2].revents != 0;
+    }
+    return woken;
 }
 
 bool display_closed(const struct display *display)

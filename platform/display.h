@@ -34,6 +34,7 @@ enum display_state {
 enum {
     DISPLAY_SIZE_MAX = 8192,
     DISPLAY_REFRESH_MAX_MHZ = 1000000,
+    DISPLAY_WAKES = 16,
     DISPLAY_HEADLESS_WIDTH = 1280,
     DISPLAY_HEADLESS_HEIGHT = 720,
 };
@@ -85,6 +86,9 @@ void display_untouch(const struct display *display, float *x, float *y);
 /* Waits until a frame may be drawn, something has happened, or `timeout_ms` have passed (-1: for ever, 0: not at all),
  * and attends to hot-plug, master and page flips: to be called at least every second, even when nothing is drawn. */
 void display_wait(struct display *display, int timeout_ms);
+/* Descriptors that end display_wait when they are readable (sources of input), at most DISPLAY_WAKES; they are copied,
+ * and take the place of those before. A window looks at them every few milliseconds. */
+void display_wake_on(struct display *display, const int *fds, int count);
 /* The next thing that fingers did (window: the mouse). False when there is none. */
 bool display_event(struct display *display, struct event *event);
 /* The window was closed. */

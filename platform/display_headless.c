@@ -1,6 +1,5 @@
 /* Frames to memory: EGL without any surface. For tests, and for boards without a screen. */
 #include <stdlib.h>
-#include <time.h>
 
 #include <GLES3/gl31.h>
 
@@ -69,12 +68,6 @@ static void headless_destroy(struct display *display)
     free(display->own);
 }
 
-static void sleep_us(uint64_t us)
-{
-    struct timespec time = {(time_t)(us / 1000000), (long)(us % 1000000) * 1000};
-    nanosleep(&time, NULL);
-}
-
 static void headless_wait(struct display *display, int timeout_ms)
 {
     const struct headless *headless = display->own;
@@ -84,9 +77,8 @@ static void headless_wait(struct display *display, int timeout_ms)
     if (until == UINT64_MAX) { /* dark, and nobody will ever wake it: do not hang the thread */
         until = now + 1000000;
     }
-    if (until > now) {
-        sleep_us(until - now);
-    }
+    static const int NONE[2] = {-1, -1};
+    display_poll(display, NONE, until > now ? (int)((until - now + 999) / 1000) : 0);
 }
 
 static bool headless_begin(struct display *display)

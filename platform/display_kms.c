@@ -1,6 +1,4 @@
 /* A screen of the board itself: KMS (kms_screen.h) shows what GL draws into its buffers (kms_buffers.h). */
-#include <errno.h>
-#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -216,11 +214,12 @@ static void kms_wait(struct display *display, int timeout_ms)
     attend(display);
     while (!kms_screen_free(&kms->screen) && display->state == before && display_now_us() < end_us) {
         uint64_t due_us = kms_screen_due_us(&kms->screen);
-        struct pollfd fds[] = {{kms->card->fd, POLLIN, 0}, {kms_watch_fd(kms->watch), POLLIN, 0}};
-        if (poll(fds, 2, milliseconds_until(due_us < end_us ? due_us : end_us)) < 0 && errno == EINTR) {
+        const int own[2] = {kms->card->fd, kms_watch_fd(kms->watch)};
+        bool woken = display_poll(display, own, milliseconds_until(due_us < end_us ? due_us : end_us));
+        attend(display);
+        if (woken) {
             return;
         }
-        attend(display);
     }
 }
 

@@ -345,7 +345,7 @@ static struct kms_card *open_best(const struct kms_wish *wish, bool legacy, stru
 
 struct kms_card *kms_card_open(const char *path, const struct kms_wish *wish, bool legacy, struct display_error *error)
 {
-    struct kms_scan *scan = malloc(sizeof *scan);
+    struct kms_scan *scan = calloc(1, sizeof *scan);
     if (!scan) {
         display_fail(error, "kms: memory is short");
         return NULL;

@@ -261,7 +261,7 @@ int kms_output_off(const struct kms_output *output, struct kms_card *card, bool 
     return commit(card, &request, DRM_MODE_ATOMIC_ALLOW_MODESET | (wait ? 0 : DRM_MODE_ATOMIC_NONBLOCK), 0);
 }
 
-/* ACTIVE is never left out: a CRTC that is not active is not looked at, and everything passes. */
+/* MODE_ID and ACTIVE are never left out: without them a CRTC is not looked at, and everything passes. */
 static const struct kms_value *find_culprit(struct kms_card *card, const struct kms_output *output,
                                             const struct request *request)
 {
@@ -269,7 +269,8 @@ static const struct kms_value *find_culprit(struct kms_card *card, const struct 
         struct request less = *request;
         memmove(&less.values[i], &less.values[i + 1], (size_t)(request->count - i - 1) * sizeof less.values[0]);
         less.count--;
-        if (request->values[i].property != output->active && commit(card, &less, TESTED, 0) == 0) {
+        bool leaves = request->values[i].property == output->active || request->values[i].property == output->mode_id;
+        if (!leaves && commit(card, &less, TESTED, 0) == 0) {
             return &request->values[i];
         }
     }

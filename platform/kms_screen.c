@@ -17,23 +17,25 @@ static bool is_busy(int code)
     return code == EBUSY || code == EAGAIN || code == EINTR;
 }
 
-/* FNV-1a over what a change of which wants another choice. */
+static uint64_t hash_more(uint64_t hash, const void *data, size_t size)
+{
+    const uint8_t *bytes = data;
+    for (size_t i = 0; i < size; i++) {
+        hash = (hash ^ bytes[i]) * UINT64_C(1099511628211); /* FNV-1a */
+    }
+    return hash;
+}
+
+/* Of what wants another choice when it changes. */
 static uint64_t signature_of(const struct kms_scan *scan)
 {
     uint64_t hash = UINT64_C(14695981039346656037);
     for (int i = 0; i < scan->connector_count; i++) {
         const struct kms_connector *connector = &scan->connectors[i];
-        uint32_t head[4] = {connector->id, connector->connected, connector->broken, (uint32_t)connector->mode_count};
-        const struct {
-            const void *at;
-            size_t size;
-        } parts[] = {{head, sizeof head}, {connector->modes, (size_t)connector->mode_count * sizeof(drmModeModeInfo)}};
-        for (int part = 0; part < 2; part++) {
-            const uint8_t *bytes = parts[part].at;
-            for (size_t j = 0; j < parts[part].size; j++) {
-                hash = (hash ^ bytes[j]) * UINT64_C(1099511628211);
-            }
-        }
+        const uint32_t head[4] = {connector->id, connector->connected, connector->broken,
+                                  (uint32_t)connector->mode_count};
+        hash = hash_more(hash, head, sizeof head);
+        hash = hash_more(hash, connector->modes, (size_t)connector->mode_count * sizeof connector->modes[0]);
     }
     return hash;
 }
@@ -98,7 +100,7 @@ static void choose(struct kms_screen *screen, uint64_t now_us)
 {
     struct kms_scan *scan = screen->scan;
     bool has = screen->stage != KMS_EMPTY;
-    int index = kms_choose_connector(scan, &screen->wish, has ? screen->output.connector : 0);
+    int index = kms_choose_connector(scan, &screen->wish, screen->connector);
     if (index < 0) {
         leave(screen, now_us);
         display_fail(&screen->reason, "%s is plugged in",
@@ -134,6 +136,7 @@ static void choose(struct kms_screen *screen, uint64_t now_us)
                                &screen->reason)) {
         screen->stage = KMS_CHOSEN;
         screen->chosen = mode;
+        screen->connector = connector->id;
         screen->frames.refresh_mhz = kms_mode_refresh_mhz(&connector->modes[mode]);
     } else {
         kms_output_close(&screen->output, screen->card);
@@ -396,11 +399,10 @@ bool kms_screen_start(struct kms_screen *screen, struct kms_card *card, const st
                       struct display_error *error)
 {
     *screen = (struct kms_screen){.card = card, .wish = *wish, .stage = KMS_EMPTY};
-    screen->scan = malloc(sizeof *screen->scan);
+    screen->scan = calloc(1, sizeof *screen->scan);
     if (!screen->scan) {
         return display_fail(error, "memory is short");
     }
-    memset(screen->scan, 0, sizeof *screen->scan);
     if (card->calls->take_master(card) != 0) {
         become_lent(screen, now_us);
     }

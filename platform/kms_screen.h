@@ -30,6 +30,7 @@ struct kms_screen {
     struct kms_scan *scan;
     enum kms_stage stage;
     struct kms_output output; /* from KMS_CHOSEN on */
+    uint32_t connector;       /* that had the picture last, 0: none yet */
     bool lent, dark;
     bool to_switch_off;      /* the output is to be taken apart before anything else */
     bool to_darken;          /* ACTIVE is to be cleared */

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "brush.h"
+#include "kernel.h"
 
 static const char *const EDGES[] = {"hard", "soft", "ragged", NULL};
 static const char *const OVERS[] = {"respect", "run", NULL};
@@ -184,4 +185,33 @@ struct action action_default(enum action_verb verb)
     struct action action = {.verb = verb, .brush = BRUSH_NONE};
     key_defaults(VERBS[verb].keys, &action);
     return action;
+}
+
+static float legal_position(float position)
+{
+    return position >= 0.0f && position <= 1.0f ? position : position > 1.0f ? 1.0f : 0.0f;
+}
+
+struct action action_legal(const struct action *action)
+{
+    struct action legal = *action;
+    for (const struct key *key = action_keys(action->verb); key->name; key++) {
+        char *at = (char *)&legal + key->offset;
+        if (key->type == KEY_NUMBER) {
+            float value;
+            memcpy(&value, at, sizeof value);
+            value = value >= (float)key->min ? value : (float)key->min; /* NaN becomes the least */
+            value = value <= (float)key->max ? value : (float)key->max;
+            memcpy(at, &value, sizeof value);
+        }
+    }
+    legal.at.x = legal_position(legal.at.x);
+    legal.at.y = legal_position(legal.at.y);
+    legal.ink = legal.ink < 0 || legal.ink >= INKS ? 0 : legal.ink;
+    for (int i = 0; legal.brush != BRUSH_NONE && i <= legal.brush; i++) {
+        if (legal.brush < 0 || !brushes[i].name) {
+            legal.brush = BRUSH_NONE;
+        }
+    }
+    return legal;
 }

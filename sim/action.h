@@ -81,5 +81,7 @@ const char *action_meaning(enum action_verb verb);
 enum action_verb action_find(const char *name);
 /* An action with every default of its verb; nothing required is filled in. */
 struct action action_default(enum action_verb verb);
+/* Numbers brought into the range of their keys, inks and brushes into those there are. */
+struct action action_legal(const struct action *action);
 
 #endif

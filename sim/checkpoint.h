@@ -4,6 +4,7 @@
 #ifndef FROND_CHECKPOINT_H
 #define FROND_CHECKPOINT_H
 
+#include "ground.h"
 #include "painting.h"
 
 /* Planes of floats, each width * height, row by row from the top left, margin included. */
@@ -19,26 +20,32 @@ enum checkpoint_plane {
     CHECKPOINT_PLANES,
 };
 
-struct ground;
-
 struct checkpoint {
     struct painting_def def; /* with the coefficients of then */
     int width, height;       /* cells, margin included */
     int64_t tick;
-    float *planes;         /* [CHECKPOINT_PLANES][height][width] */
-    struct ground *ground; /* maps, stamps, guidance, obstacles: ground.h */
-    double evaporated, ink_dried;
-    int quiet_periods;
+    float *planes;                /* [CHECKPOINT_PLANES][height][width] */
+    struct ground *ground;        /* maps, stamps, guidance, obstacles; owned */
+    double evaporated, ink_dried; /* density summed over cells, as in struct painting_totals */
+    int quiet_periods;            /* of upkeep in which the carved area hardly grew */
+    int64_t carved;               /* cells, when last counted */
 };
 
-/* Room for a painting of this definition; false when memory is short. A zeroed one may be finished. */
+/* Room for a painting of this definition, holding a fresh sheet; false when memory is short. A zeroed one may be
+ * finished. */
 bool checkpoint_init(struct checkpoint *checkpoint, const struct painting_def *def);
 void checkpoint_finish(struct checkpoint *checkpoint);
+/* `plane`: enum checkpoint_plane, or that + i. */
 float *checkpoint_plane(const struct checkpoint *checkpoint, int plane);
+/* Whether they are for sheets of the same width, height and margin. */
+bool checkpoint_fits(const struct checkpoint *checkpoint, const struct painting_def *def);
 
-/* The same painting on a sheet of `to->def.width` by `to->def.height` cells (`to` made by checkpoint_init): planes
- * bilinear, liquid in total as it was, maps made anew from the coefficients and stretched where they were stamped.
- * Growth goes on at the scale of the new cells. */
-void checkpoint_resample(const struct checkpoint *from, struct checkpoint *to);
+/* The same painting on the sheet that `to` was made for: its width, height and margin stay, all else is taken over.
+ * The visible sheet is stretched over the new one; beyond the old margin the ground is fresh. Planes are interpolated
+ * (bilinear when cells get smaller, averaged when they get larger); liquid on a share of the sheet stays what it was:
+ * density per cell is kept, and the total over the total of cells, to rounding; so do what has evaporated and dried.
+ * Maps are made anew from the coefficients, and taken from the nearest cell where they were stamped or set; so are
+ * guidance and obstacles. Growth goes on at the scale of the new cells. False when memory is short. */
+bool checkpoint_resample(const struct checkpoint *from, struct checkpoint *to);
 
 #endif

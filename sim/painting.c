@@ -2,11 +2,9 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
+#include "memory.h"
 #include "painting_state.h"
-
-enum { HUGE_PAGE = 2 << 20 };
 
 struct painting_def painting_default_def(void)
 {
@@ -29,20 +27,9 @@ static const struct kernels *choose_kernels(enum painting_vectors vectors)
     return &kernels_narrow;
 }
 
-/* Zeroed memory, its bytes counted. Large pieces begin on a huge page: rows of many fields otherwise exhaust the TLB.
- */
 static void *take(struct painting *painting, size_t count, size_t size)
 {
-    size_t bytes = count * size, align = bytes >= HUGE_PAGE ? HUGE_PAGE : 64;
-    void *memory = aligned_alloc(align, (bytes + align - 1) / align * align);
-    if (memory) {
-        if (align == HUGE_PAGE) {
-            (void)madvise(memory, bytes, MADV_HUGEPAGE); /* advice: nothing is lost where it is not taken */
-        }
-        memset(memory, 0, bytes);
-        painting->bytes += bytes;
-    }
-    return memory;
+    return memory_take(count, size, &painting->bytes);
 }
 
 static bool take_rows(struct painting *painting, struct bench_rows *rows)
@@ -100,17 +87,13 @@ static bool take_state(struct painting *painting)
     painting->pattern = take(painting, cells * PATTERN_FIELDS, sizeof(float));
     painting->solvent = take(painting, cells, sizeof(float));
     painting->dry = take(painting, cells * INKS, sizeof(float));
-    painting->maps = take(painting, cells * MAPS, sizeof(uint16_t));
-    painting->stamped = take(painting, cells, sizeof(uint16_t));
-    painting->weight = take(painting, cells, sizeof(uint8_t));
-    painting->guide = take(painting, cells * 2, sizeof(int16_t));
-    painting->obstacle = take(painting, cells, sizeof(uint8_t));
+    painting->ground = ground_create(&painting->def);
     painting->tile_sums = take(painting, tiles, sizeof(double));
     painting->tile_carved = take(painting, tiles, sizeof(uint16_t));
     painting->rows = take(painting, (size_t)team_size(painting->team), sizeof *painting->rows);
-    if (!painting->fluid || !painting->pattern || !painting->solvent || !painting->dry || !painting->maps ||
-        !painting->stamped || !painting->weight || !painting->guide || !painting->obstacle || !painting->tile_sums ||
-        !painting->tile_carved || !painting->rows) {
+    if (!painting->fluid || !painting->pattern || !painting->solvent || !painting->dry || !painting->ground ||
+        !painting->tile_sums || !painting->tile_carved || !painting->rows ||
+        !deposit_init(&painting->deposit, &painting->bytes)) {
         return false;
     }
     for (int i = 0; i < team_size(painting->team); i++) {
@@ -136,10 +119,7 @@ struct painting *painting_create(const struct painting_def *def)
     painting->def = *def;
     painting->width = def->width + 2 * def->margin;
     painting->height = def->height + 2 * def->margin;
-    painting->stride = (painting->width + 15) / 16 * 16 + 2 * SIDE;
-    if (painting->stride % 1024 == 0) {
-        painting->stride += 16; /* a row of 4 KiB puts all fields in the same cache sets */
-    }
+    painting->stride = ground_stride(painting->width);
     painting->kernels = choose_kernels(def->vectors);
     painting->team = team_create(def->threads);
     if (!painting->team ||
@@ -148,10 +128,9 @@ struct painting *painting_create(const struct painting_def *def)
         painting_destroy(painting);
         return NULL;
     }
-    painting->bytes += tiles_bytes(&painting->tiles) + sizeof *painting;
+    painting->bytes += tiles_bytes(&painting->tiles) + painting->ground->bytes + sizeof *painting;
     painting->effort.tiles = painting->tiles.columns * painting->tiles.rows;
     painting_clear(painting);
-    painting_fill_maps(painting);
     return painting;
 }
 
@@ -168,11 +147,8 @@ void painting_destroy(struct painting *painting)
     free(painting->pattern);
     free(painting->solvent);
     free(painting->dry);
-    free(painting->maps);
-    free(painting->stamped);
-    free(painting->weight);
-    free(painting->guide);
-    free(painting->obstacle);
+    ground_destroy(painting->ground);
+    deposit_finish(&painting->deposit);
     free(painting->halo);
     free(painting->tile_sums);
     free(painting->tile_carved);

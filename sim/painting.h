@@ -98,6 +98,16 @@ const char *painting_field_name(enum painting_field field);
 /* Copies a field of the visible sheet into width * height floats. */
 void painting_read(const struct painting *painting, enum painting_field field, float *plane);
 
+/* The visible sheet as a picture wants it: texels of four floats, row by row from the top left, width * height of them.
+ * Those that are NULL are left out. Costs about what a copy does; shared among the painting's threads. */
+struct painting_texels {
+    float *ground;  /* depth (active + carved), solvent density, 1 where an obstacle is, catalyst */
+    float *ink;     /* inks 0..3, wet + dry, optical thickness */
+    float *pattern; /* active, carved, ink density, 0 */
+    float *vectors; /* solvent momentum x, y; guidance field x, y */
+};
+void painting_publish(struct painting *painting, const struct painting_texels *texels);
+
 struct painting_totals {       /* over the whole sheet, margin included */
     double solvent, ink;       /* liquid now, density summed over cells */
     double solvent_evaporated; /* has left since the last clear, by evaporation and by `dry` */
@@ -113,6 +123,12 @@ struct painting_effort { /* of the last tick */
     int pattern_awake;
 };
 struct painting_effort painting_effort(const struct painting *painting);
+
+/* The whole state into a checkpoint that checkpoint_init has made for the same size of sheet, and back; false for
+ * another size. Threads, vectors and `dense` stay as they are; everything else, the seed too, is the checkpoint's. */
+struct checkpoint;
+bool painting_save(const struct painting *painting, struct checkpoint *checkpoint);
+bool painting_load(struct painting *painting, const struct checkpoint *checkpoint);
 
 /* A hash of all state (-0 counted as 0): equal hashes, equal paintings, to the bit. */
 uint64_t painting_hash(const struct painting *painting);

@@ -84,7 +84,7 @@ static void make_open(const struct fluid_pass *pass, int y)
     if (painting->def.coefficients.flood > 0.0f) {
         flood(pass, level_row(pass, 0, y), make.catalyst, ink);
     }
-    const uint8_t *obstacle = obstacle_row(painting, y) + shift;
+    const uint8_t *obstacle = ground_obstacle(painting->ground, y) + shift;
     for (int x = 0; x < width && pass->run->special; x++) {
         solvent[x] = obstacle[x] ? CLOSED : solvent[x];
         ink[x] = obstacle[x] ? CLOSED : ink[x];
@@ -168,8 +168,8 @@ static void compute_row(struct fluid_pass *pass, int step, int y)
     painting->kernels->fluid_last(kernel);
     painting->kernels->pigment_last(kernel);
     painting->kernels->fluid_end(kernel->flow, solvent_row(painting, y) + shift,
-                                 map_row(painting, MAP_S_MAX, y) + shift, pass->rows->fed + RING_LEAD, kernel->begin,
-                                 kernel->end, painting->def.coefficients.delta);
+                                 ground_map(painting->ground, MAP_S_MAX, y) + shift, pass->rows->fed + RING_LEAD,
+                                 kernel->begin, kernel->end, painting->def.coefficients.delta);
 }
 
 /* Gathers what the rows of a line of tiles have noted, and forgets it. */

@@ -68,19 +68,20 @@ static void load_row(struct pattern_pass *pass, int y)
     struct rates_row *make = &pass->rates;
     make->end = width;
     make->solvent = solvent_row(painting, y) + shift;
-    make->alpha_a = map_row(painting, MAP_ALPHA_A, y) + shift;
-    make->xi = map_row(painting, MAP_XI, y) + shift;
-    make->beta_a = map_row(painting, MAP_BETA_A, y) + shift;
-    make->s_max = map_row(painting, MAP_S_MAX, y) + shift;
-    make->alpha_y = map_row(painting, MAP_ALPHA_Y, y) + shift;
-    make->weight = weight_row(painting, y) + shift;
+    make->alpha_a = ground_map(painting->ground, MAP_ALPHA_A, y) + shift;
+    make->xi = ground_map(painting->ground, MAP_XI, y) + shift;
+    make->beta_a = ground_map(painting->ground, MAP_BETA_A, y) + shift;
+    make->s_max = ground_map(painting->ground, MAP_S_MAX, y) + shift;
+    make->alpha_y = ground_map(painting->ground, MAP_ALPHA_Y, y) + shift;
+    make->weight = ground_weight(painting->ground, y) + shift;
     make->rates = rates;
     painting->kernels->rates(make);
     if (!needs_full(pass)) {
         return;
     }
-    const uint8_t *obstacle = obstacle_row(painting, y) + shift;
-    const int16_t *guide_x = guide_row(painting, 0, y) + shift, *guide_y = guide_row(painting, 1, y) + shift;
+    const uint8_t *obstacle = ground_obstacle(painting->ground, y) + shift;
+    const int16_t *guide_x = ground_guide(painting->ground, 0, y) + shift,
+                  *guide_y = ground_guide(painting->ground, 1, y) + shift;
     for (int x = -1; x <= width; x++) {
         rates[RATE_OPEN * RING + x] = obstacle[x] ? -1.0f : 1.0f;
         rates[RATE_GUIDE_X * RING + x] = (float)guide_x[x] * UNIT_GUIDE;
@@ -111,9 +112,9 @@ static void prefetch_next(const struct pattern_pass *pass, int y, int step)
         } else if (part < MAP_FIRST) {
             prefetch(solvent_row(painting, y) + x, cells * sizeof(float));
         } else if (part < MAP_FIRST + MAPS) {
-            prefetch(map_row(painting, (enum map)(part - MAP_FIRST), y) + x, cells * sizeof(uint16_t));
+            prefetch(ground_map(painting->ground, (enum map)(part - MAP_FIRST), y) + x, cells * sizeof(uint16_t));
         } else {
-            prefetch(weight_row(painting, y) + x, cells);
+            prefetch(ground_weight(painting->ground, y) + x, cells);
         }
     }
 }

@@ -28,7 +28,7 @@ static float moment(const struct painting *painting, int first, const float weig
 
 static float map_value(const struct painting *painting, enum map map, float unit, int x, int y)
 {
-    return (float)map_row(painting, map, y)[x] * unit;
+    return (float)ground_map(painting->ground, map, y)[x] * unit;
 }
 
 static float value_at(const struct painting *painting, enum painting_field field, int x, int y)
@@ -57,11 +57,11 @@ static float value_at(const struct painting *painting, enum painting_field field
     case PAINTING_INK_V:
         return moment(painting, FLUID_INK, MOMENTUM_Y, x, y);
     case PAINTING_GUIDE_U:
-        return (float)guide_row(painting, 0, y)[x] * UNIT_GUIDE;
+        return (float)ground_guide(painting->ground, 0, y)[x] * UNIT_GUIDE;
     case PAINTING_GUIDE_V:
-        return (float)guide_row(painting, 1, y)[x] * UNIT_GUIDE;
+        return (float)ground_guide(painting->ground, 1, y)[x] * UNIT_GUIDE;
     case PAINTING_MASK:
-        return obstacle_row(painting, y)[x] ? 1.0f : 0.0f;
+        return ground_obstacle(painting->ground, y)[x] ? 1.0f : 0.0f;
     case PAINTING_ALPHA_A:
         return map_value(painting, MAP_ALPHA_A, UNIT_ALPHA_A, x, y);
     case PAINTING_ALPHA_Y:
@@ -142,11 +142,12 @@ uint64_t painting_hash(const struct painting *painting)
             }
         }
         for (int x = 0; x < painting->width; x++) {
-            uint64_t maps = obstacle_row(painting, y)[x] | (uint64_t)weight_row(painting, y)[x] << 8 |
-                            (uint64_t)(uint16_t)guide_row(painting, 0, y)[x] << 16 |
-                            (uint64_t)(uint16_t)guide_row(painting, 1, y)[x] << 32;
+            uint64_t maps = ground_obstacle(painting->ground, y)[x] |
+                            (uint64_t)ground_weight(painting->ground, y)[x] << 8 |
+                            (uint64_t)(uint16_t)ground_guide(painting->ground, 0, y)[x] << 16 |
+                            (uint64_t)(uint16_t)ground_guide(painting->ground, 1, y)[x] << 32;
             for (int map = 0; map < MAPS; map++) {
-                maps = maps * 31 + map_row(painting, (enum map)map, y)[x];
+                maps = maps * 31 + ground_map(painting->ground, (enum map)map, y)[x];
             }
             hash = (hash ^ maps) * 1099511628211u;
         }

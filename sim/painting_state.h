@@ -3,20 +3,20 @@
  *   painting_fluid.c    solvent, ink and pigment: a sweep of all LBM steps of a tick
  *   painting_pattern.c  the pattern: a sweep of all its steps of a tick
  *   painting_upkeep.c   drying, re-wetting, evaporation, settling
- *   painting_act.c      actions; painting_region.c the cells they touch; painting_coefficients.c maps and brushes
+ *   painting_act.c      actions: what they do to the ground (ground.h) and lay on it (deposit.h) comes to the cells
  * State is stored once, in place: before a sweep each run saves the rows and columns around it that its neighbours will
  * overwrite; then all runs compute at once, row by row through rings that fit the second-level cache. */
 #ifndef FROND_PAINTING_STATE_H
 #define FROND_PAINTING_STATE_H
 
+#include "deposit.h"
+#include "ground.h"
 #include "kernel.h"
 #include "painting.h"
 #include "team.h"
 #include "tiles.h"
 
-enum { SIDE = 16 }; /* floats before and after each row */
-
-enum obstacle { OBSTACLE_MASK = 1, OBSTACLE_LINE = 2 };
+enum { SIDE = GROUND_SIDE }; /* floats before and after each row */
 
 /* Scratch of one thread. */
 struct bench_rows {
@@ -32,9 +32,6 @@ struct bench_rows {
 };
 enum { FLUID_LEVELS = 4 + 1, PATTERN_LEVELS = 8 + 1, GATE_ROWS = 8, RATE_ROWS = 16 };
 
-/* Coefficients that vary over the sheet, one map each in the units of kernel.h. */
-enum map { MAP_ALPHA_A, MAP_XI, MAP_BETA_A, MAP_S_MAX, MAP_ALPHA_Y, MAPS };
-
 struct painting {
     struct painting_def def;
     int width, height; /* cells, margin included */
@@ -44,16 +41,13 @@ struct painting {
     struct tiles tiles;
     const struct kernels *kernels;
 
-    float *fluid;      /* [height][FLUID_FIELDS][stride] */
-    float *pattern;    /* [height][PATTERN_FIELDS][stride] */
-    float *solvent;    /* [height][stride], density after the last fluid step */
-    float *dry;        /* [height][INKS][stride] */
-    uint16_t *maps;    /* [height][MAPS][stride] */
-    uint16_t *stamped; /* [height][stride], distance to the drop whose brush a cell follows, sixteenths of a cell */
-    uint8_t *weight;   /* [height][stride], diagonal weight of the stencil */
-    int16_t *guide;    /* [height][2][stride] */
-    uint8_t *obstacle; /* [height][stride], enum obstacle */
-    float *halo;       /* what runs save */
+    float *fluid;   /* [height][FLUID_FIELDS][stride] */
+    float *pattern; /* [height][PATTERN_FIELDS][stride] */
+    float *solvent; /* [height][stride], density after the last fluid step */
+    float *dry;     /* [height][INKS][stride] */
+    struct ground *ground;
+    struct deposit deposit; /* what the last action laid down; its room */
+    float *halo;            /* what runs save */
     size_t halo_floats;
     struct bench_rows *rows; /* one for each member of the team */
     double *tile_sums;       /* scratch of the upkeep: one a tile */
@@ -92,31 +86,6 @@ static inline float *dry_row(const struct painting *painting, int y)
     return painting->dry + (size_t)y * INKS * (size_t)painting->stride + SIDE;
 }
 
-static inline uint16_t *map_row(const struct painting *painting, enum map map, int y)
-{
-    return painting->maps + ((size_t)y * MAPS + (size_t)map) * (size_t)painting->stride + SIDE;
-}
-
-static inline uint16_t *stamped_row(const struct painting *painting, int y)
-{
-    return painting->stamped + (size_t)y * (size_t)painting->stride + SIDE;
-}
-
-static inline uint8_t *weight_row(const struct painting *painting, int y)
-{
-    return painting->weight + (size_t)y * (size_t)painting->stride + SIDE;
-}
-
-static inline int16_t *guide_row(const struct painting *painting, int axis, int y)
-{
-    return painting->guide + ((size_t)y * 2 + (size_t)axis) * (size_t)painting->stride + SIDE;
-}
-
-static inline uint8_t *obstacle_row(const struct painting *painting, int y)
-{
-    return painting->obstacle + (size_t)y * (size_t)painting->stride + SIDE;
-}
-
 /* Columns of a run with its halo, in whole vectors: [from, to) of the sheet. */
 struct span {
     int from, to;
@@ -135,11 +104,9 @@ void painting_touch(struct painting *painting, int x0, int x1, int y0, int y1);
 /* The painting is no longer quiet; liquid that was calm is looked at again. */
 void painting_stir(struct painting *painting);
 
-/* Maps from the coefficients of now, everywhere; forgets all stamps. */
-void painting_fill_maps(struct painting *painting);
-void painting_stamp(struct painting *painting, int x, int y, int brush, float reach);
-void painting_set(struct painting *painting, const struct action *action);
-void painting_clear(struct painting *painting);
+void painting_clear(struct painting *painting); /* all but the ground */
+/* Finds the tiles of a rectangle that hold obstacles or guidance: they need the full kernel. */
+void painting_find_special(struct painting *painting, struct rectangle cells);
 
 /* Saved halos (painting_halo.c): `fields` fields of rows `rows` are `stride` apart in `base`, `levels` cells deep. */
 struct halo_layout {

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "busy.h"
 #include "painting.h"
 
 /* A change of the model changes these. Look at the contact sheets, then set them anew from what the test prints. */
@@ -95,117 +96,24 @@ static void has_the_golden_hash(void **state)
     }
 }
 
-/* A formula's worth of values: a half sheet of obstacles, a wavy field. */
-struct rasters {
-    float wall[64 * 64], wave[2 * 64 * 64];
-};
-
-static void make_rasters(struct rasters *rasters)
+static void act_on(void *painting, const struct action *action)
 {
-    for (int y = 0; y < 64; y++) {
-        for (int x = 0; x < 64; x++) {
-            rasters->wall[y * 64 + x] = x > 50 && y > 30 ? 1.0f : 0.0f;
-            rasters->wave[y * 64 + x] = 0.5f;
-            rasters->wave[64 * 64 + y * 64 + x] = (float)(x % 16) / 8.0f - 1.0f;
-        }
-    }
-}
-
-enum { BUSY_TICKS = 420 };
-
-/* Everything that can be done to a sheet, in one session. */
-static void act_busily(struct painting *painting, int tick, const struct rasters *rasters)
-{
-    static const struct point STROKE[] = {{0.2f, 0.3f}, {0.5f, 0.55f}, {0.8f, 0.4f}};
-    struct action act;
-    switch (tick) {
-    case 0:
-        act = drop_at(0.35f, 0.4f, 0);
-        act.brush = 1;
-        act.edge = EDGE_RAGGED;
-        painting_act(painting, &act);
-        act = drop_at(0.7f, 0.35f, 1);
-        act.edge = EDGE_SOFT;
-        break;
-    case 20:
-        act = action_default(ACTION_MASK);
-        act.formula = (struct action_raster){rasters->wall, 64, 64, 1};
-        break;
-    case 40:
-        act = action_default(ACTION_GUIDE);
-        act.formula = (struct action_raster){rasters->wave, 64, 64, 2};
-        break;
-    case 60:
-    case 100:
-    case 140:
-        act = action_default(tick == 60 ? ACTION_BRUSH_SOLVENT : tick == 100 ? ACTION_BRUSH_INK : ACTION_DRAW);
-        act.path = (struct action_path){STROKE, 3};
-        act.ink = 2;
-        break;
-    case 180:
-        act = drop_at(0.5f, 0.9f, 3);
-        act.brush = 3;
-        act.amount = 120;
-        break;
-    case 220:
-        act = action_default(ACTION_POUR);
-        act.at = (struct point){0.4f, 0.4f};
-        act.radius = 20;
-        act.has_at = true;
-        break;
-    case 260:
-        act = action_default(ACTION_SET);
-        act.coefficient = (int)(key_find(coefficient_keys, "flood") - coefficient_keys);
-        act.value = 0.5f;
-        painting_act(painting, &act);
-        act = action_default(ACTION_SET);
-        act.coefficient = (int)(key_find(coefficient_keys, "alpha_a") - coefficient_keys);
-        act.value = 0.3f;
-        act.vary = 0.4f;
-        break;
-    case 300:
-        act = action_default(ACTION_DRY);
-        act.amount = 0.5f;
-        painting_act(painting, &act);
-        act = action_default(ACTION_UNMASK);
-        break;
-    case 340:
-        act = action_default(ACTION_WET);
-        act.solvent = 2;
-        painting_act(painting, &act);
-        act = action_default(ACTION_SET);
-        act.coefficient = (int)(key_find(coefficient_keys, "k") - coefficient_keys);
-        act.value = 2.3f;
-        break;
-    default:
-        return;
-    }
-    painting_act(painting, &act);
+    painting_act(painting, action);
 }
 
 static uint64_t busy_hash(struct painting_def def)
 {
-    struct rasters rasters;
-    make_rasters(&rasters);
+    struct busy busy;
+    busy_init(&busy);
     struct painting *painting = painting_create(&def);
     assert_non_null(painting);
     for (int tick = 0; tick < BUSY_TICKS; tick++) {
-        act_busily(painting, tick, &rasters);
+        busy_act(&busy, tick, act_on, painting);
         painting_tick(painting);
     }
     uint64_t hash = painting_hash(painting);
     painting_destroy(painting);
     return hash;
-}
-
-static struct painting_def busy_def(void)
-{
-    struct painting_def def = painting_default_def();
-    def.width = 203; /* no multiple of a vector or a tile */
-    def.height = 117;
-    def.margin = 9;
-    def.threads = 1;
-    return def;
 }
 
 static void is_the_same_for_every_vector(void **state)

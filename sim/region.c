@@ -1,4 +1,4 @@
-#include "painting_region.h"
+#include "region.h"
 
 #include <math.h>
 
@@ -9,35 +9,33 @@ static float clamp_unit(float value)
 }
 
 /* A position of the visible sheet in cells of the whole. */
-static struct point to_cells(const struct painting *painting, struct point at)
+static struct point to_cells(const struct painting_def *def, struct point at)
 {
     at = (struct point){clamp_unit(at.x), clamp_unit(at.y)};
-    return (struct point){at.x * (float)painting->def.width + (float)painting->def.margin,
-                          at.y * (float)painting->def.height + (float)painting->def.margin};
+    return (struct point){at.x * (float)def->width + (float)def->margin,
+                          at.y * (float)def->height + (float)def->margin};
 }
 
 static void clip(struct region *region, float x0, float x1, float y0, float y1)
 {
-    float width = (float)region->painting->width, height = (float)region->painting->height;
-    region->x0 = (int)(x0 > 0.0f ? floorf(x0) : 0.0f);
-    region->y0 = (int)(y0 > 0.0f ? floorf(y0) : 0.0f);
-    region->x1 = (int)(x1 < width ? ceilf(x1) : width);
-    region->y1 = (int)(y1 < height ? ceilf(y1) : height);
+    float width = (float)(region->def->width + 2 * region->def->margin);
+    float height = (float)(region->def->height + 2 * region->def->margin);
+    region->cells.x0 = (int)(x0 > 0.0f ? floorf(x0) : 0.0f);
+    region->cells.y0 = (int)(y0 > 0.0f ? floorf(y0) : 0.0f);
+    region->cells.x1 = (int)(x1 < width ? ceilf(x1) : width);
+    region->cells.y1 = (int)(y1 < height ? ceilf(y1) : height);
 }
 
-struct region region_of(const struct painting *painting, const struct action *action)
+struct region region_of(const struct painting_def *def, const struct action *action)
 {
-    struct region region = {.painting = painting,
-                            .action = action,
-                            .kind = REGION_ALL,
-                            .radius = action->radius,
-                            .x1 = painting->width,
-                            .y1 = painting->height};
+    int width = def->width + 2 * def->margin, height = def->height + 2 * def->margin;
+    struct region region = {
+        .def = def, .action = action, .kind = REGION_ALL, .radius = action->radius, .cells = {0, width, 0, height}};
     if (action->path.count > 0) {
-        struct point first = to_cells(painting, action->path.points[0]);
+        struct point first = to_cells(def, action->path.points[0]);
         float x0 = first.x, x1 = first.x, y0 = first.y, y1 = first.y, around = action->radius + 1.0f;
         for (int i = 1; i < action->path.count; i++) {
-            struct point point = to_cells(painting, action->path.points[i]);
+            struct point point = to_cells(def, action->path.points[i]);
             x0 = point.x < x0 ? point.x : x0;
             x1 = point.x > x1 ? point.x : x1;
             y0 = point.y < y0 ? point.y : y0;
@@ -49,7 +47,7 @@ struct region region_of(const struct painting *painting, const struct action *ac
         region.kind = REGION_RASTER;
         region.raster = action->formula.values ? &action->formula : &action->picture;
     } else if (action->has_at) {
-        struct point at = to_cells(painting, action->at);
+        struct point at = to_cells(def, action->at);
         float around = action->radius + 1.0f;
         region.kind = REGION_DISC;
         region.x = at.x;
@@ -57,7 +55,7 @@ struct region region_of(const struct painting *painting, const struct action *ac
         clip(&region, at.x - around, at.x + around, at.y - around, at.y + around);
     }
     if (action->invert) { /* then what lies outside matters */
-        clip(&region, 0.0f, (float)painting->width, 0.0f, (float)painting->height);
+        clip(&region, 0.0f, (float)width, 0.0f, (float)height);
     }
     return region;
 }
@@ -92,30 +90,30 @@ float region_distance(const struct region *region, int x, int y, struct point *a
         return 0.0f;
     }
     const struct action_path *path = &region->action->path;
-    struct point from = to_cells(region->painting, path->points[0]);
+    struct point from = to_cells(region->def, path->points[0]);
     float nearest = 1e18f;
     if (path->count == 1) {
         nearest = piece_distance(from, from, cell, nearest, along);
     }
     for (int i = 1; i < path->count; i++) {
-        struct point to = to_cells(region->painting, path->points[i]);
+        struct point to = to_cells(region->def, path->points[i]);
         nearest = piece_distance(from, to, cell, nearest, along);
         from = to;
     }
     return sqrtf(nearest);
 }
 
-float region_sample(const struct painting *painting, const struct action_raster *raster, int channel, int x, int y)
+float region_sample(const struct painting_def *def, const struct action_raster *raster, int channel, int x, int y)
 {
-    if (raster->width == painting->def.width && raster->height == painting->def.height) {
-        int column = x - painting->def.margin, row = y - painting->def.margin; /* a value a cell: taken as it is */
+    if (raster->width == def->width && raster->height == def->height) {
+        int column = x - def->margin, row = y - def->margin; /* a value a cell: taken as it is */
         column = column < 0 ? 0 : column >= raster->width ? raster->width - 1 : column;
         row = row < 0 ? 0 : row >= raster->height ? raster->height - 1 : row;
         size_t plane = (size_t)channel * (size_t)raster->height;
         return raster->values[(plane + (size_t)row) * (size_t)raster->width + (size_t)column];
     }
-    float fx = ((float)(x - painting->def.margin) + 0.5f) / (float)painting->def.width * (float)raster->width - 0.5f;
-    float fy = ((float)(y - painting->def.margin) + 0.5f) / (float)painting->def.height * (float)raster->height - 0.5f;
+    float fx = ((float)(x - def->margin) + 0.5f) / (float)def->width * (float)raster->width - 0.5f;
+    float fy = ((float)(y - def->margin) + 0.5f) / (float)def->height * (float)raster->height - 0.5f;
     float right = (float)(raster->width - 1), bottom = (float)(raster->height - 1);
     fx = fx < 0.0f ? 0.0f : fx > right ? right : fx;
     fy = fy < 0.0f ? 0.0f : fy > bottom ? bottom : fy;
@@ -133,10 +131,16 @@ bool region_holds(const struct region *region, int x, int y)
 {
     bool inside = true;
     if (region->kind == REGION_RASTER) {
-        float value = region_sample(region->painting, region->raster, 0, x, y);
+        float value = region_sample(region->def, region->raster, 0, x, y);
         inside = region->action->formula.values ? value > 1e-4f || value < -1e-4f : value < 0.5f;
     } else if (region->kind != REGION_ALL) {
         inside = region_distance(region, x, y, NULL) <= region->radius;
     }
     return inside != region->action->invert;
+}
+
+float region_cover(const struct region *region, int x, int y)
+{
+    float cover = region->radius + 0.5f - region_distance(region, x, y, NULL);
+    return cover < 0.0f ? 0.0f : cover > 1.0f ? 1.0f : cover;
 }

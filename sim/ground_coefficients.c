@@ -3,10 +3,10 @@
 #include <string.h>
 
 #include "brush.h"
+#include "ground.h"
 #include "noise.h"
-#include "painting_region.h"
+#include "region.h"
 
-enum { NEVER_STAMPED = 65535 };
 #define STAMP_UNIT (1.0f / 16)
 
 /* The coefficients of one cell. */
@@ -31,51 +31,56 @@ static uint16_t stored(float value, float unit)
     return (uint16_t)(units < 0.0f ? 0.0f : units > 65535.0f ? 65535.0f : units);
 }
 
-static struct local read_local(const struct painting *painting, int x, int y)
+static struct local read_local(const struct ground *ground, int x, int y)
 {
-    return (struct local){(float)map_row(painting, MAP_ALPHA_A, y)[x] * UNIT_ALPHA_A,
-                          (float)map_row(painting, MAP_ALPHA_Y, y)[x] * UNIT_ALPHA_Y,
-                          (float)map_row(painting, MAP_BETA_A, y)[x] * UNIT_BETA_A,
-                          (float)map_row(painting, MAP_S_MAX, y)[x] * UNIT_S_MAX,
-                          (float)map_row(painting, MAP_XI, y)[x] * UNIT_XI,
-                          (float)weight_row(painting, y)[x] * UNIT_WEIGHT};
+    return (struct local){(float)ground_map(ground, MAP_ALPHA_A, y)[x] * UNIT_ALPHA_A,
+                          (float)ground_map(ground, MAP_ALPHA_Y, y)[x] * UNIT_ALPHA_Y,
+                          (float)ground_map(ground, MAP_BETA_A, y)[x] * UNIT_BETA_A,
+                          (float)ground_map(ground, MAP_S_MAX, y)[x] * UNIT_S_MAX,
+                          (float)ground_map(ground, MAP_XI, y)[x] * UNIT_XI,
+                          (float)ground_weight(ground, y)[x] * UNIT_WEIGHT};
 }
 
-static void write_local(const struct painting *painting, int x, int y, const struct local *local)
+static void write_local(const struct ground *ground, int x, int y, const struct local *local)
 {
-    map_row(painting, MAP_ALPHA_A, y)[x] = stored(local->alpha_a, UNIT_ALPHA_A);
-    map_row(painting, MAP_ALPHA_Y, y)[x] = stored(local->alpha_y, UNIT_ALPHA_Y);
-    map_row(painting, MAP_BETA_A, y)[x] = stored(local->beta_a, UNIT_BETA_A);
-    map_row(painting, MAP_S_MAX, y)[x] = stored(local->s_max, UNIT_S_MAX);
-    map_row(painting, MAP_XI, y)[x] = stored(local->xi, UNIT_XI);
-    weight_row(painting, y)[x] = (uint8_t)(local->weight / UNIT_WEIGHT + 0.5f);
+    ground_map(ground, MAP_ALPHA_A, y)[x] = stored(local->alpha_a, UNIT_ALPHA_A);
+    ground_map(ground, MAP_ALPHA_Y, y)[x] = stored(local->alpha_y, UNIT_ALPHA_Y);
+    ground_map(ground, MAP_BETA_A, y)[x] = stored(local->beta_a, UNIT_BETA_A);
+    ground_map(ground, MAP_S_MAX, y)[x] = stored(local->s_max, UNIT_S_MAX);
+    ground_map(ground, MAP_XI, y)[x] = stored(local->xi, UNIT_XI);
+    ground_weight(ground, y)[x] = (uint8_t)(local->weight / UNIT_WEIGHT + 0.5f);
 }
 
 /* Cells are counted from the corner of the visible sheet, so that a margin does not change what grows in it. */
-static float xi_at(const struct painting *painting, int x, int y, float xi0, int noise)
+static float xi_at(const struct ground *ground, int x, int y, float xi0, int noise)
 {
-    int margin = painting->def.margin;
-    return noise_xi(x - margin, y - margin, xi0, (enum noise_kind)noise, painting->def.seed);
+    int margin = ground->def.margin;
+    return noise_xi(x - margin, y - margin, xi0, (enum noise_kind)noise, ground->def.seed);
 }
 
-static float vary_at(const struct painting *painting, int x, int y, float size, enum random_stream stream)
+static float vary_at(const struct ground *ground, int x, int y, float size, enum random_stream stream)
 {
-    int margin = painting->def.margin;
-    return noise_smooth((float)(x - margin), (float)(y - margin), size, painting->def.seed, stream);
+    int margin = ground->def.margin;
+    return noise_smooth((float)(x - margin), (float)(y - margin), size, ground->def.seed, stream);
 }
 
-void painting_fill_maps(struct painting *painting)
+void ground_fill(struct ground *ground)
 {
-    const struct coefficients *c = &painting->def.coefficients;
+    const struct coefficients *c = &ground->def.coefficients;
     struct local local = {c->alpha_a, c->alpha_y, c->beta_a, c->s_max, 1.0f, isotropic_weight(c, c->alpha_a)};
-    for (int y = 0; y < painting->height; y++) {
-        for (int x = 0; x < painting->width; x++) {
-            local.xi = xi_at(painting, x, y, c->xi0, c->noise);
-            write_local(painting, x, y, &local);
-            stamped_row(painting, y)[x] = NEVER_STAMPED;
+    for (int y = 0; y < ground->height; y++) {
+        for (int x = 0; x < ground->width; x++) {
+            local.xi = xi_at(ground, x, y, c->xi0, c->noise);
+            write_local(ground, x, y, &local);
+            ground_stamped(ground, y)[x] = GROUND_NEVER_STAMPED;
         }
     }
-    painting_touch(painting, 0, painting->width, 0, painting->height);
+}
+
+uint16_t ground_fresh_xi(const struct ground *ground, int x, int y)
+{
+    const struct coefficients *c = &ground->def.coefficients;
+    return stored(xi_at(ground, x, y, c->xi0, c->noise), UNIT_XI);
 }
 
 static float smoothstep(float from, float to, float value)
@@ -86,24 +91,24 @@ static float smoothstep(float from, float to, float value)
 }
 
 /* What a brush wants at a cell `distance` from its drop (in shares of its reach). */
-static struct local brush_at(const struct painting *painting, const struct brush *brush, int x, int y, float distance)
+static struct local brush_at(const struct ground *ground, const struct brush *brush, int x, int y, float distance)
 {
-    int margin = painting->def.margin;
+    int margin = ground->def.margin;
     struct local local = {.alpha_a = brush->alpha_a, .alpha_y = brush->alpha_y, .beta_a = brush->beta_a};
     local.s_max = brush->s_max * (1.0f + (brush->s_max_rim - 1.0f) * distance);
     if (brush->vary_s_max > 0.0f) {
-        local.s_max *= 1.0f + brush->vary_s_max * vary_at(painting, x, y, brush->vary_size, RANDOM_VARY_S_MAX);
+        local.s_max *= 1.0f + brush->vary_s_max * vary_at(ground, x, y, brush->vary_size, RANDOM_VARY_S_MAX);
     }
     if (brush->vary_alpha_a > 0.0f) {
-        local.alpha_a *= 1.0f + brush->vary_alpha_a * vary_at(painting, x, y, brush->vary_size, RANDOM_VARY_ALPHA_A);
+        local.alpha_a *= 1.0f + brush->vary_alpha_a * vary_at(ground, x, y, brush->vary_size, RANDOM_VARY_ALPHA_A);
     }
     if (brush->reaction_noise > 0.0f) {
         local.beta_a *=
-            1.0f + brush->reaction_noise * random_signed(x - margin, y - margin, painting->def.seed, RANDOM_REACTION);
+            1.0f + brush->reaction_noise * random_signed(x - margin, y - margin, ground->def.seed, RANDOM_REACTION);
     }
     local.alpha_a = local.alpha_a > 0.02f ? local.alpha_a : 0.02f;
-    local.xi = xi_at(painting, x, y, brush->xi0, brush->noise);
-    local.weight = brush->weight > 0.0f ? brush->weight : isotropic_weight(&painting->def.coefficients, local.alpha_a);
+    local.xi = xi_at(ground, x, y, brush->xi0, brush->noise);
+    local.weight = brush->weight > 0.0f ? brush->weight : isotropic_weight(&ground->def.coefficients, local.alpha_a);
     return local;
 }
 
@@ -118,46 +123,44 @@ static void blend(struct local *to, const struct local *with, float share)
 }
 
 /* Each cell follows the nearest drop, with a soft border half way between two. */
-static void stamp_cell(struct painting *painting, int x, int y, const struct brush *brush, float distance, float reach)
+static void stamp_cell(struct ground *ground, int x, int y, const struct brush *brush, float distance, float reach)
 {
-    uint16_t *nearest = stamped_row(painting, y) + x;
+    uint16_t *nearest = ground_stamped(ground, y) + x;
     float share = 1.0f - smoothstep(0.8f, 1.0f, distance / reach);
-    if (*nearest != NEVER_STAMPED) {
+    if (*nearest != GROUND_NEVER_STAMPED) {
         float old = (float)*nearest * STAMP_UNIT;
         share *= smoothstep(0.42f, 0.58f, old / (old + distance + 1e-3f));
     }
     if (share <= 0.0f) {
         return;
     }
-    struct local local = read_local(painting, x, y), wanted = brush_at(painting, brush, x, y, distance / reach);
+    struct local local = read_local(ground, x, y), wanted = brush_at(ground, brush, x, y, distance / reach);
     blend(&local, &wanted, share);
-    write_local(painting, x, y, &local);
+    write_local(ground, x, y, &local);
     uint16_t mine = stored(distance, STAMP_UNIT);
     *nearest = mine < *nearest ? mine : *nearest;
 }
 
-void painting_stamp(struct painting *painting, int x, int y, int brush, float reach)
+struct rectangle ground_stamp(struct ground *ground, int x, int y, int brush, float reach)
 {
     int around = (int)reach + 1;
-    int x0 = x - around < 0 ? 0 : x - around, x1 = x + around + 1 > painting->width ? painting->width : x + around + 1;
-    int y0 = y - around < 0 ? 0 : y - around,
-        y1 = y + around + 1 > painting->height ? painting->height : y + around + 1;
-    for (int row = y0; row < y1; row++) {
-        for (int column = x0; column < x1; column++) {
+    struct rectangle cells = rectangle_clip((struct rectangle){x - around, x + around + 1, y - around, y + around + 1},
+                                            ground->width, ground->height);
+    for (int row = cells.y0; row < cells.y1; row++) {
+        for (int column = cells.x0; column < cells.x1; column++) {
             float dx = (float)(column - x), dy = (float)(row - y), distance = sqrtf(dx * dx + dy * dy);
             if (distance < reach) {
-                stamp_cell(painting, column, row, &brushes[brush], distance, reach);
+                stamp_cell(ground, column, row, &brushes[brush], distance, reach);
             }
         }
     }
-    painting_touch(painting, x0, x1, y0, y1);
+    return cells;
 }
 
 /* Writes one coefficient of a cell; false for one that does not vary over the sheet. */
-static bool set_local(const struct painting *painting, struct local *local, size_t coefficient, float value, int x,
-                      int y)
+static bool set_local(const struct ground *ground, struct local *local, size_t coefficient, float value, int x, int y)
 {
-    const struct coefficients *c = &painting->def.coefficients;
+    const struct coefficients *c = &ground->def.coefficients;
     if (coefficient == offsetof(struct coefficients, alpha_a)) {
         local->alpha_a = value;
         local->weight = isotropic_weight(c, value);
@@ -168,9 +171,9 @@ static bool set_local(const struct painting *painting, struct local *local, size
     } else if (coefficient == offsetof(struct coefficients, s_max)) {
         local->s_max = value;
     } else if (coefficient == offsetof(struct coefficients, xi0)) {
-        local->xi = xi_at(painting, x, y, value, c->noise);
+        local->xi = xi_at(ground, x, y, value, c->noise);
     } else if (coefficient == offsetof(struct coefficients, noise)) {
-        local->xi = xi_at(painting, x, y, c->xi0, (int)value);
+        local->xi = xi_at(ground, x, y, c->xi0, (int)value);
     } else if (coefficient == offsetof(struct coefficients, weight)) {
         local->weight = value > 0.0f ? value : isotropic_weight(c, local->alpha_a);
     } else {
@@ -193,9 +196,9 @@ static float in_range(const struct key *key, float value)
 }
 
 /* The value for the whole sheet, kept for what does not vary and for a sheet made fresh. */
-static void set_everywhere(struct painting *painting, const struct key *key, float value)
+static void set_everywhere(struct ground *ground, const struct key *key, float value)
 {
-    char *at = (char *)&painting->def.coefficients + key->offset;
+    char *at = (char *)&ground->def.coefficients + key->offset;
     if (key->type == KEY_NUMBER) {
         memcpy(at, &value, sizeof value);
     } else {
@@ -204,18 +207,18 @@ static void set_everywhere(struct painting *painting, const struct key *key, flo
     }
 }
 
-static float value_for(const struct painting *painting, const struct action *action, const struct region *disc, int x,
+static float value_for(const struct ground *ground, const struct action *action, const struct region *disc, int x,
                        int y, float *share)
 {
     const struct action_raster *raster = action->formula.values ? &action->formula : &action->picture;
     float value = action->value;
     *share = 1.0f;
     if (raster->values) {
-        float t = region_sample(painting, raster, 0, x, y);
+        float t = region_sample(&ground->def, raster, 0, x, y);
         value += (t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t) * (action->to - action->value);
     }
     if (action->vary > 0.0f) {
-        value *= 1.0f + action->vary * vary_at(painting, x, y, action->size, RANDOM_VARY_SET);
+        value *= 1.0f + action->vary * vary_at(ground, x, y, action->size, RANDOM_VARY_SET);
     }
     if (disc->kind == REGION_DISC) {
         *share = 1.0f - smoothstep(0.5f, 1.0f, region_distance(disc, x, y, NULL) / disc->radius);
@@ -223,29 +226,28 @@ static float value_for(const struct painting *painting, const struct action *act
     return value;
 }
 
-void painting_set(struct painting *painting, const struct action *action)
+struct rectangle ground_set(struct ground *ground, const struct action *action)
 {
     if (action->coefficient < 0 || action->coefficient >= key_count(coefficient_keys)) {
-        return;
+        return (struct rectangle){0, 0, 0, 0};
     }
     const struct key *key = &coefficient_keys[action->coefficient];
     struct action place = *action; /* only a disc bounds it: a raster gives values, not a region */
     place.formula = place.picture = (struct action_raster){0};
-    struct region disc = region_of(painting, &place);
+    struct region disc = region_of(&ground->def, &place);
     if (disc.kind == REGION_ALL) {
-        set_everywhere(painting, key, in_range(key, action->value));
+        set_everywhere(ground, key, in_range(key, action->value));
     }
-    for (int y = disc.y0; y < disc.y1; y++) {
-        for (int x = disc.x0; x < disc.x1; x++) {
-            float share, value = in_range(key, value_for(painting, action, &disc, x, y, &share));
-            struct local local = read_local(painting, x, y), wanted = local;
-            if (!set_local(painting, &wanted, key->offset, value, x, y)) {
-                painting_touch(painting, 0, painting->width, 0, painting->height);
-                return;
+    for (int y = disc.cells.y0; y < disc.cells.y1; y++) {
+        for (int x = disc.cells.x0; x < disc.cells.x1; x++) {
+            float share, value = in_range(key, value_for(ground, action, &disc, x, y, &share));
+            struct local local = read_local(ground, x, y), wanted = local;
+            if (!set_local(ground, &wanted, key->offset, value, x, y)) {
+                return (struct rectangle){0, ground->width, 0, ground->height};
             }
             blend(&local, &wanted, share);
-            write_local(painting, x, y, &local);
+            write_local(ground, x, y, &local);
         }
     }
-    painting_touch(painting, disc.x0, disc.x1, disc.y0, disc.y1);
+    return disc.cells;
 }

@@ -1,0 +1,25 @@
+/* What sources have in common: events and log lines that wait to be taken. Releases are never lost: when the queue is
+ * full, values of axes that have newer ones go first, then the oldest motion. Private to the sources. */
+#ifndef FROND_SOURCE_QUEUE_H
+#define FROND_SOURCE_QUEUE_H
+
+#include "source.h"
+
+enum { SOURCE_LOG_LINES = 32, SOURCE_LOG_LENGTH = 200 };
+
+struct source_queue {
+    struct event events[SOURCE_EVENTS];
+    unsigned first, count;
+    uint64_t dropped; /* motions that nobody took in time */
+    char lines[SOURCE_LOG_LINES][SOURCE_LOG_LENGTH];
+    unsigned line_first, line_count;
+};
+
+void source_post(struct source_queue *queue, const struct event *event);
+bool source_take(struct source_queue *queue, struct event *event);
+void source_note(struct source_queue *queue, const char *format, ...) __attribute__((format(printf, 2, 3)));
+bool source_take_line(struct source_queue *queue, char *line, int size);
+uint64_t source_now_us(void); /* CLOCK_MONOTONIC */
+bool source_fail(struct source_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif
