@@ -20,15 +20,16 @@
 #     scenario "$@"
 #
 # Every check is a line of the test's output: `ok` or `FAILED`, and the time. A failed one does not end the scenario, so
-# that one run tells all; the ends of the logs are shown with it.
+# that one run tells all; what the logs say anew is shown with it.
 set -uo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 failures=0
+declare -A shown=() # bytes of each log that a failed check has printed
 declare -A pid=() # of what `start` has started, by name
 
 check() { # check WHAT COMMAND...
-    local what=$1 said
+    local what=$1 said size
     shift
     if "$@"; then
         printf 'ok  %3d s  %s\n' $SECONDS "$what"
@@ -37,7 +38,13 @@ check() { # check WHAT COMMAND...
     failures=$((failures + 1))
     printf 'FAILED %3d s  %s: %s\n' $SECONDS "$what" "$*"
     for said in "$out"/*.log; do
-        [[ ! -s $said ]] || { printf -- '---- %s\n' "${said##*/}" && tail -n 12 "$said" && printf -- '----\n'; }
+        size=$(stat -c %s "$said")
+        if ((size > ${shown[$said]:-0})); then
+            printf -- '---- %s\n' "${said##*/}"
+            tail -c +$((${shown[$said]:-0} + 1)) "$said" | tail -n 12
+            printf -- '----\n'
+        fi
+        shown[$said]=$size
     done
     return 1
 }
@@ -97,9 +104,6 @@ ended() { # ended NAME SECONDS STATUS: it ends in that time, with that status
 descriptors() { # descriptors NAME: how many files it has open
     local -a open=("/proc/${pid[$1]}/fd/"*)
     printf '%d\n' ${#open[@]}
-}
-finish() { # finish NAME: asks it to end
-    kill -TERM "${pid[$1]}"
 }
 resident() { # resident NAME: memory in KiB
     awk '/^VmRSS:/ { print $2 }' "/proc/${pid[$1]}/status"
