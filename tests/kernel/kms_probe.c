@@ -70,10 +70,22 @@ static void tell(struct probe *probe)
     }
 }
 
+static void renew_lost(struct probe *probe)
+{
+    struct display_error error;
+    if (display_renew(probe->display, &error)) {
+        printf("lost and renewed: %s\n", display_describe(probe->display));
+        pattern_make(&probe->pattern);
+    }
+}
+
 static void turn_loop(struct probe *probe)
 {
     display_wait(probe->display, 20);
     tell(probe);
+    if (display_lost(probe->display)) {
+        renew_lost(probe);
+    }
     if (display_begin(probe->display)) {
         pattern_draw(&probe->pattern, probe->display);
         display_end(probe->display);
