@@ -276,7 +276,9 @@ static void read_flips(struct kms_screen *screen)
 static void try_master(struct kms_screen *screen, uint64_t now_us)
 {
     screen->master_due_us = now_us + KMS_MASTER_US;
-    if (screen->card->calls->take_master(screen->card) == 0) {
+    int code = screen->card->calls->take_master(screen->card);
+    screen->stale = code == ESTALE;
+    if (code == 0) {
         screen->lent = false;
         look(screen, now_us, true);
     }

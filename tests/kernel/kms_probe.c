@@ -4,13 +4,17 @@
  *   --card PATH --connector NAME --mode WxH[@HZ] --rotation DEGREES --legacy
  *   --start-unplugged    the connector is forced off before the start, and plugged in again after
  *   --frames N           frames to be shown                    (60)
+ *   --plain              frames of one colour, which take no time: for what needs many
  *   --capture FILE       the last of them as a PPM, after it has been compared with what it should be
- *   --shot COMMAND       runs it while the picture stands still (a screenshot from outside)
+ *   --shot COMMAND       runs it while the picture stands still (a screenshot from outside), with PROBE_SHOT in its
+ *                        environment: shown, dark or lent
  *   --lend SECONDS       another process becomes master, sets a mode and leaves again
  *   --power N            N times off and on
  *   --unplug N           N times the connector is forced off and plugged in again by sysfs; every 10th time nobody
  * tells
  *   --reset              the context is lost and made anew
+ *   --stay               then shows frames until a line comes on standard input; `mark` says what has been shown and is
+ *                        held, anything else ends it
  *   --hold SECONDS --fd N  is the other process: master of the open card N; shows another mode, leaves
  *
  * Prints every state as it comes. Ends with 0 when everything happened; 1: it did not; 2: no display. */
@@ -18,6 +22,7 @@
 #include <fcntl.h>
 #include <getopt.h>
 #include <glob.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,7 +45,7 @@ struct probe {
     struct pattern pattern;
     enum display_state state;
     int frames, lend, power, unplug, hold, fd;
-    bool start_unplugged, reset;
+    bool start_unplugged, reset, stay, plain;
     const char *capture, *shot;
     long drawn;
 };
@@ -75,7 +80,12 @@ static void turn_loop(struct probe *probe)
     display_wait(probe->display, 20);
     tell(probe);
     if (display_begin(probe->display)) {
-        pattern_draw(&probe->pattern, probe->display);
+        if (probe->plain) {
+            glClearColor((float)(probe->drawn % 2), 0, 1, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+        } else {
+            pattern_draw(&probe->pattern, probe->display);
+        }
         display_end(probe->display);
         probe->drawn++;
     }
@@ -174,6 +184,35 @@ static struct holdings holdings(void)
     return now;
 }
 
+static bool take_shot(const struct probe *probe, const char *name)
+{
+    return !probe->shot || (setenv("PROBE_SHOT", name, 1) == 0 && system(probe->shot) == 0) || fail("no screenshot");
+}
+
+static void mark(const struct probe *probe)
+{
+    struct holdings now = holdings();
+    printf("mark: %llu frames, %d fds, %d framebuffers\n", (unsigned long long)display_frames(probe->display).presented,
+           now.fds, now.framebuffers);
+}
+
+/* Standard input is read without a buffer, since poll knows of none. */
+static bool stay(struct probe *probe)
+{
+    struct pollfd input = {STDIN_FILENO, POLLIN, 0};
+    for (;;) {
+        turn_loop(probe);
+        if (poll(&input, 1, 0) > 0) {
+            char line[16] = "";
+            ssize_t got = read(STDIN_FILENO, line, sizeof line - 1);
+            mark(probe);
+            if (got <= 0 || strncmp(line, "mark", 4) != 0) {
+                return true;
+            }
+        }
+    }
+}
+
 static bool unplug_often(struct probe *probe)
 {
     struct holdings before = {0};
@@ -230,8 +269,8 @@ static bool power_often(struct probe *probe)
         if (display_frames(probe->display).presented != before) {
             return fail("frames are shown on a dark screen");
         }
-        if (i == 0 && probe->shot && system("rigctl shot dark") != 0) {
-            return fail("no screenshot");
+        if (i == 0 && !take_shot(probe, "dark")) {
+            return false;
         }
         display_power(probe->display, true);
         if (!await_frames(probe, 5, 30)) {
@@ -350,7 +389,7 @@ static bool show_frames(struct probe *probe)
     if (probe->frames > 0 && (frames.last_us > now_us || now_us - frames.last_us > 5000000)) {
         return fail("the time of the last frame is not of this clock");
     }
-    return (!probe->capture || capture(probe)) && (!probe->shot || system(probe->shot) == 0 || fail("no screenshot"));
+    return (!probe->capture || capture(probe)) && take_shot(probe, "shown");
 }
 
 static bool renew(struct probe *probe)
@@ -396,7 +435,8 @@ static bool start(struct probe *probe)
 static bool run(struct probe *probe)
 {
     return show_frames(probe) && (probe->lend == 0 || lend(probe)) && (probe->power == 0 || power_often(probe)) &&
-           (!probe->reset || renew(probe)) && (probe->unplug == 0 || unplug_often(probe));
+           (!probe->reset || renew(probe)) && (probe->unplug == 0 || unplug_often(probe)) &&
+           (!probe->stay || stay(probe));
 }
 
 static bool read_mode(struct display_def *def, const char *text)
@@ -447,14 +487,15 @@ static bool read_option(struct probe *probe, int option)
 
 static bool read_options(struct probe *probe, int count, char **arguments)
 {
-    int legacy = 0, start_unplugged = 0, reset = 0;
+    int legacy = 0, start_unplugged = 0, reset = 0, remain = 0, plain = 0;
     const struct option options[] = {
         {"kind", 1, NULL, 'k'},  {"card", 1, NULL, 'c'},     {"connector", 1, NULL, 'n'},
         {"mode", 1, NULL, 'm'},  {"rotation", 1, NULL, 'r'}, {"capture", 1, NULL, 'o'},
         {"shot", 1, NULL, 's'},  {"frames", 1, NULL, 1},     {"lend", 1, NULL, 2},
         {"power", 1, NULL, 3},   {"unplug", 1, NULL, 4},     {"hold", 1, NULL, 5},
         {"fd", 1, NULL, 6},      {"legacy", 0, &legacy, 1},  {"start-unplugged", 0, &start_unplugged, 1},
-        {"reset", 0, &reset, 1}, {NULL, 0, NULL, 0}};
+        {"reset", 0, &reset, 1}, {"stay", 0, &remain, 1},    {"plain", 0, &plain, 1},
+        {NULL, 0, NULL, 0}};
     int *const numbers[] = {&probe->frames, &probe->lend, &probe->power, &probe->unplug, &probe->hold, &probe->fd};
     int option = 0;
     while ((option = getopt_long(count, arguments, "", options, NULL)) != -1) {
@@ -467,6 +508,8 @@ static bool read_options(struct probe *probe, int count, char **arguments)
     probe->def.legacy = legacy;
     probe->start_unplugged = start_unplugged;
     probe->reset = reset;
+    probe->stay = remain;
+    probe->plain = plain;
     return optind == count;
 }
 

@@ -267,6 +267,9 @@ static int fake_read_crtc(struct kms_card *card, uint32_t crtc, struct kms_past 
 static int fake_take_master(struct kms_card *card)
 {
     struct fake *fake = fake_of(card);
+    if (fake->outsider && !fake->master) {
+        return fake->other_master ? EACCES : ESTALE;
+    }
     fake->master = fake->master || !fake->other_master;
     return fake->master ? 0 : EBUSY;
 }

@@ -309,6 +309,20 @@ static void another_is_master_from_the_start(void **state)
     assert_true(frame(bench));
 }
 
+static void who_may_not_be_master_again_opens_anew(void **state)
+{
+    struct bench *bench = *state;
+    bench->fake.other_master = bench->fake.outsider = true;
+    fake_plug(&bench->fake, 1, 1920, 1080, 60);
+    assert_true(start(bench, (struct kms_wish){0}));
+    attend(bench, KMS_MASTER_US, false);
+    assert_false(bench->screen.stale);
+    bench->fake.other_master = false;
+    attend(bench, KMS_MASTER_US, false);
+    EXPECT_STATE(bench, DISPLAY_LENT);
+    assert_true(bench->screen.stale);
+}
+
 static void unplugged_while_lent(void **state)
 {
     struct bench *bench = *state;
@@ -586,6 +600,7 @@ int main(void)
         CASE(a_monitor_unplugs_itself_in_its_sleep),
         CASE(another_master_comes_and_goes),
         CASE(another_is_master_from_the_start),
+        CASE(who_may_not_be_master_again_opens_anew),
         CASE(unplugged_while_lent),
         CASE(another_monitor_came_while_lent),
         CASE(the_master_is_lost_while_switching_off),
