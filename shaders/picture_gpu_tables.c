@@ -63,8 +63,8 @@ static void fill_weights(const struct resample kernel[2], float slope, int taps,
 static bool make_weights(struct picture_gpu *picture, enum picture_texture which, int cells, int pixels, int *taps)
 {
     struct resample kernel[2] = {{0}, {0}};
-    bool good =
-        picture_resampler(&kernel[0], cells, pixels, false) && picture_resampler(&kernel[1], cells, pixels, !picture->def.plain);
+    bool good = picture_resampler(&kernel[0], cells, pixels, false) &&
+                picture_resampler(&kernel[1], cells, pixels, !picture->def.plain);
     *taps = 0;
     for (int to = 0; good && to < pixels; to++) {
         struct window window = window_of(&kernel[0], to);
@@ -145,7 +145,7 @@ static bool make_inks(struct picture_gpu *picture)
         ink_cmy(picture->def.ink[i], picture->cmy + 3 * i);
     }
     const float *lattice = ink_table_lattice(table);
-    bool good = !lattice || make(picture, PICTURE_LATTICE, of(TEXTURE_RGBA32F, SIDE, SIDE), lattice);
+    bool good = !lattice || make(picture, PICTURE_LATTICE, of(TEXTURE_RGBA16F, SIDE, SIDE), lattice);
     ink_table_destroy(table);
     return good;
 }
@@ -172,10 +172,10 @@ static bool make_layers(struct picture_gpu *picture)
     return make(picture, PICTURE_TONE, of(TEXTURE_RGBA32F, 1, 1), NULL) &&
            make(picture, PICTURE_BLURRED, of(TEXTURE_RGBA32F, x, y), NULL) &&
            make(picture, PICTURE_MATTER, of(TEXTURE_RGBA16F, x, y), NULL) &&
-           make(picture, PICTURE_INKS, of(TEXTURE_RGBA32F, x, y), NULL) &&
+           make(picture, PICTURE_INKS, of(TEXTURE_RGBA16F, x, y), NULL) &&
            make(picture, PICTURE_SURFACE, of(TEXTURE_RGBA32F, x, y), NULL) &&
            make(picture, PICTURE_TALL_MATTER, of(TEXTURE_RGBA16F, x, rows), NULL) &&
-           make(picture, PICTURE_TALL_INKS, of(TEXTURE_RGBA32F, x, rows), NULL) &&
+           make(picture, PICTURE_TALL_INKS, of(TEXTURE_RGBA16F, x, rows), NULL) &&
            make(picture, PICTURE_TALL_SURFACE, of(TEXTURE_RGBA32F, x, rows), NULL) &&
            make(picture, PICTURE_TALL_MASK, of(TEXTURE_R32F, x, rows), NULL) &&
            make(picture, PICTURE_SHEET, sheet, NULL);
