@@ -216,6 +216,9 @@ static bool add_field(struct parser *parser, const struct item *item, enum hid_r
     if (!finish_locals(parser, item->byte)) {
         return false;
     }
+    if (parser->out->numbered && globals->report_id == 0) { /* a pop has taken it back */
+        return fail(parser, item->byte, "field without a report id, after others have one");
+    }
     if (globals->report_count == 0) { /* takes no room: real devices have such */
         out->usage_count = parser->locals.first;
         return true;

@@ -220,6 +220,7 @@ static void test_malformed(void **state)
         {B(STICK, 0x85, 0x00), 6, "report id 0"},
         {B(STICK, 0x86, 0x00, 0x01), 6, "report id 256"},
         {B(STICK, AXIS, 0x85, 0x01), 18, "first report id after a field that has none, at byte 16"},
+        {B(STICK, 0xa4, 0x85, 0x01, AXIS, 0xb4, 0x75, 1, 0x95, 1, 0x25, 1, 0x81, 2), 28, "field without a report id"},
         {B(STICK, 0xa9, 1, 0xa9, 1), 8, "delimiter within a delimiter"},
         {B(STICK, 0xa9, 0), 6, "delimiter closed that was never opened"},
         {B(STICK, 0xa9, 2), 6, "delimiter 2"},
