@@ -22,13 +22,13 @@ struct node {
     uint8_t written[256];
     size_t written_size;
     int writes;
+    UMockdevIoctlClient *unanswered; /* a write that does not come back */
 };
 
 struct hid_mock {
     UMockdevTestbed *bed;
     UMockdevIoctlBase *handler;
     GMutex mutex; /* umockdev answers in a thread of its own */
-    GCond moved;
     struct node nodes[HID_MOCK_NODES];
     int count;
 };
@@ -90,11 +90,13 @@ static gboolean answer_write(UMockdevIoctlBase *handler, UMockdevIoctlClient *cl
     node->written_size = (size_t)data->data_len < sizeof node->written ? (size_t)data->data_len : sizeof node->written;
     memcpy(node->written, data->data, node->written_size);
     node->writes++;
-    while (node->stalled) {
-        g_cond_wait(&mock->moved, &mock->mutex);
+    if (node->stalled) {
+        node->unanswered = g_object_ref(client);
     }
     g_mutex_unlock(&mock->mutex);
-    umockdev_ioctl_client_complete(client, data->data_len, 0);
+    if (!node->unanswered) {
+        umockdev_ioctl_client_complete(client, data->data_len, 0);
+    }
     return TRUE;
 }
 
@@ -233,9 +235,14 @@ void hid_mock_break(struct hid_mock *mock, int node, bool broken)
 void hid_mock_stall(struct hid_mock *mock, int node, bool stalled)
 {
     g_mutex_lock(&mock->mutex);
+    UMockdevIoctlClient *client = stalled ? NULL : mock->nodes[node].unanswered;
     mock->nodes[node].stalled = stalled;
-    g_cond_broadcast(&mock->moved);
+    mock->nodes[node].unanswered = NULL;
     g_mutex_unlock(&mock->mutex);
+    if (client) {
+        umockdev_ioctl_client_complete(client, -1, EPIPE);
+        g_object_unref(client);
+    }
 }
 
 void hid_mock_forbid(struct hid_mock *mock, int number, bool forbidden)
@@ -290,7 +297,6 @@ struct hid_mock *hid_mock_create(void)
         return NULL;
     }
     g_mutex_init(&mock->mutex);
-    g_cond_init(&mock->moved);
     mock->handler = umockdev_ioctl_base_new();
     g_signal_connect(mock->handler, "handle-ioctl", G_CALLBACK(answer), mock);
     g_signal_connect(mock->handler, "handle-read", G_CALLBACK(answer_read), mock);
@@ -307,7 +313,6 @@ void hid_mock_destroy(struct hid_mock *mock)
     }
     g_object_unref(mock->bed);
     g_object_unref(mock->handler);
-    g_cond_clear(&mock->moved);
     g_mutex_clear(&mock->mutex);
     free(mock);
 }

@@ -325,6 +325,32 @@ static void test_map_and_lamps(void **state)
     assert_int_equal(bench->count, 4); /* what is written does not come back as an event */
 }
 
+/* A write that does not come back holds up nothing: reports go on, the device may leave. */
+static void test_stall(void **state)
+{
+    struct bench *bench = *state;
+    const struct hid_lamp_def lamp = {.lamp = 3, .match = {.vendor = 0x1209}, .usage = 0x8004b};
+    int mouse = plug(bench, "space_mouse", "Space Mouse", NULL, "1-2", 0);
+    open_source(bench, &(struct source_hid_def){.lamps = &lamp, .lamp_count = 1, .controllers = true});
+    wait_for_events(bench, 1);
+    hid_mock_stall(bench->mock, mouse, true);
+    uint64_t before = source_now_us();
+    assert_true(bench->source->ops->lamp(bench->source, 3, 1));
+    for (int i = 0; i < 10; i++) {
+        assert_true(bench->source->ops->lamp(bench->source, 3, (float)(i % 2)));
+        REPORT(bench, mouse, 3, (uint8_t)(i % 2), 0);
+        rest(bench, 10);
+    }
+    REPORT(bench, mouse, 3, 2, 0);
+    wait_for_events(bench, 12);
+    assert_control(&bench->events[11], "Button 2", 1);
+    assert_true(source_now_us() - before < 1500000);
+    wait_for_line(bench, "does not take what its lamps shall show");
+    hid_mock_unplug(bench->mock, mouse);
+    wait_for_line(bench, "has left");
+    hid_mock_stall(bench->mock, mouse, false);
+}
+
 static void test_trouble(void **state)
 {
     struct bench *bench = *state;
@@ -458,6 +484,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_ports_and_silence, start, finish),
         cmocka_unit_test_setup_teardown(test_admission, start, finish),
         cmocka_unit_test_setup_teardown(test_map_and_lamps, start, finish),
+        cmocka_unit_test_setup_teardown(test_stall, start, finish),
         cmocka_unit_test_setup_teardown(test_trouble, start, finish),
         cmocka_unit_test_setup_teardown(test_permission, start, finish),
         cmocka_unit_test_setup_teardown(test_storm, start, finish),
