@@ -14,7 +14,8 @@ struct hid_match {
     const char *name;         /* a part of the name that the device gives itself, case aside; NULL: any */
 };
 
-struct hid_device_def { /* the first that matches a device counts */
+/* The first that matches a device counts. It is admitted, whatever it is, and all that it has is heard. */
+struct hid_device_def {
     struct hid_match match;
     bool refuse;                     /* never open it, whatever it is */
     const struct hid_map_entry *map; /* what the descriptor does not explain */
