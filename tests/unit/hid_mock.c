@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/hidraw.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +29,7 @@ struct node {
 struct hid_mock {
     UMockdevTestbed *bed;
     UMockdevIoctlBase *handler;
-    GMutex mutex; /* umockdev answers in a thread of its own */
+    pthread_mutex_t mutex; /* umockdev answers in a thread of its own */
     struct node nodes[HID_MOCK_NODES];
     int count;
 };
@@ -38,7 +39,10 @@ static struct node *node_of(struct hid_mock *mock, UMockdevIoctlClient *client)
     int number = -1;
     /* NOLINTNEXTLINE(cert-err34-c): a name of our own making */
     (void)sscanf(umockdev_ioctl_client_get_devnode(client), "/dev/hidraw%d", &number);
-    return number >= 0 && number < mock->count ? &mock->nodes[number] : NULL;
+    pthread_mutex_lock(&mock->mutex);
+    bool there = number >= 0 && number < mock->count;
+    pthread_mutex_unlock(&mock->mutex);
+    return there ? &mock->nodes[number] : NULL;
 }
 
 static gboolean answer(UMockdevIoctlBase *handler, UMockdevIoctlClient *client, struct hid_mock *mock)
@@ -69,9 +73,9 @@ static gboolean answer_read(UMockdevIoctlBase *handler, UMockdevIoctlClient *cli
 {
     (void)handler;
     struct node *node = node_of(mock, client);
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     bool broken = node && node->broken;
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     if (broken) {
         umockdev_ioctl_client_complete(client, -1, EIO);
     }
@@ -86,15 +90,16 @@ static gboolean answer_write(UMockdevIoctlBase *handler, UMockdevIoctlClient *cl
     if (!node) {
         return FALSE;
     }
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     node->written_size = (size_t)data->data_len < sizeof node->written ? (size_t)data->data_len : sizeof node->written;
     memcpy(node->written, data->data, node->written_size);
     node->writes++;
-    if (node->stalled) {
+    bool kept = node->stalled;
+    if (kept) {
         node->unanswered = g_object_ref(client);
     }
-    g_mutex_unlock(&mock->mutex);
-    if (!node->unanswered) {
+    pthread_mutex_unlock(&mock->mutex);
+    if (!kept) {
         umockdev_ioctl_client_complete(client, data->data_len, 0);
     }
     return TRUE;
@@ -146,15 +151,17 @@ static void make_pipe(struct hid_mock *mock, int number)
 int hid_mock_plug(struct hid_mock *mock, const struct hid_mock_def *def)
 {
     char text[12000], descriptor[2 * 4096 + 1] = "", name[64], hid_path[160];
-    int number = mock->count++;
-    struct node *node = &mock->nodes[number];
-    if (number >= HID_MOCK_NODES) {
+    if (mock->count == HID_MOCK_NODES) {
         abort();
     }
+    pthread_mutex_lock(&mock->mutex);
+    int number = mock->count++;
+    struct node *node = &mock->nodes[number];
     hex(descriptor, def->descriptor, def->size);
     node->descriptor = def->descriptor;
     node->size = def->size;
     node->present = true;
+    pthread_mutex_unlock(&mock->mutex);
     snprintf(hid_path, sizeof hid_path, "/devices/mock/%s/%s:1.%d/0003:%04X:%04X.%04X", def->usb, def->usb,
              def->interface, def->vendor, def->product, number + 1);
     snprintf(node->syspath, sizeof node->syspath, "%s/hidraw/hidraw%d", hid_path, number);
@@ -224,9 +231,9 @@ void hid_mock_report(struct hid_mock *mock, int node, const uint8_t *bytes, size
 
 void hid_mock_break(struct hid_mock *mock, int node, bool broken)
 {
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     mock->nodes[node].broken = broken;
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     uint8_t bytes[64]; /* what came meanwhile is lost */
     while (!broken && read(mock->nodes[node].fd, bytes, sizeof bytes) > 0) {
     }
@@ -234,11 +241,11 @@ void hid_mock_break(struct hid_mock *mock, int node, bool broken)
 
 void hid_mock_stall(struct hid_mock *mock, int node, bool stalled)
 {
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     UMockdevIoctlClient *client = stalled ? NULL : mock->nodes[node].unanswered;
     mock->nodes[node].stalled = stalled;
     mock->nodes[node].unanswered = NULL;
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     if (client) {
         umockdev_ioctl_client_complete(client, -1, EPIPE);
         g_object_unref(client);
@@ -276,11 +283,11 @@ void hid_mock_open_to_all(struct hid_mock *mock)
 size_t hid_mock_written(struct hid_mock *mock, int number, uint8_t *bytes, size_t most, int *count)
 {
     const struct node *node = &mock->nodes[number];
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     size_t size = node->written_size < most ? node->written_size : most;
     memcpy(bytes, node->written, size);
     *count = node->writes;
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     return size;
 }
 
@@ -296,7 +303,7 @@ struct hid_mock *hid_mock_create(void)
         free(mock);
         return NULL;
     }
-    g_mutex_init(&mock->mutex);
+    pthread_mutex_init(&mock->mutex, NULL);
     mock->handler = umockdev_ioctl_base_new();
     g_signal_connect(mock->handler, "handle-ioctl", G_CALLBACK(answer), mock);
     g_signal_connect(mock->handler, "handle-read", G_CALLBACK(answer_read), mock);
@@ -313,6 +320,6 @@ void hid_mock_destroy(struct hid_mock *mock)
     }
     g_object_unref(mock->bed);
     g_object_unref(mock->handler);
-    g_mutex_clear(&mock->mutex);
+    pthread_mutex_destroy(&mock->mutex);
     free(mock);
 }
