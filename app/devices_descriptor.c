@@ -198,14 +198,14 @@ static struct json_object *usages_array(const struct hid_descriptor *descriptor,
     struct json_object *array = json_object_new_array_ext(field->usage_count);
     for (int i = 0; i < field->usage_count; i++) {
         const struct hid_usages *usages = &descriptor->usages[field->usage + i];
-        struct json_object *object = json_object_new_object();
+        struct json_object *entry = json_object_new_object();
         char name[HID_USAGE_NAME];
-        add_usage(object, usages->first);
+        add_usage(entry, usages->first);
         if (usages->last != usages->first) {
-            add_whole(object, "usage_last", usages->last & 0xffffu);
-            add_text(object, "usage_last_name", hid_usage_name(usages->last, name, sizeof name));
+            add_whole(entry, "usage_last", usages->last & 0xffffu);
+            add_text(entry, "usage_last_name", hid_usage_name(usages->last, name, sizeof name));
         }
-        json_object_array_add(array, object);
+        json_object_array_add(array, entry);
     }
     return array;
 }
@@ -270,12 +270,12 @@ static void print_json(const struct hid_descriptor *descriptor, size_t size, FIL
     }
     for (int c = 0; c < descriptor->collection_count; c++) {
         const struct hid_collection *collection = &descriptor->collections[c];
-        struct json_object *object = json_object_new_object();
-        add_text(object, "kind", hid_collection_name(collection->kind));
-        add_usage(object, collection->usage);
-        json_object_object_add(object, "parent",
+        struct json_object *entry = json_object_new_object();
+        add_text(entry, "kind", hid_collection_name(collection->kind));
+        add_usage(entry, collection->usage);
+        json_object_object_add(entry, "parent",
                                collection->parent < 0 ? NULL : json_object_new_int(collection->parent));
-        json_object_array_add(collections, object);
+        json_object_array_add(collections, entry);
     }
     json_object_object_add(root, "reports", reports);
     json_object_object_add(root, "collections", collections);

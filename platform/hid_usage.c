@@ -198,6 +198,7 @@ const char *hid_flags_text(uint32_t flags, char *text, int size)
         {HID_BUFFERED, "buffered bytes"},
     };
     struct text out = {text, size, 0};
+    text[0] = '\0';
     add(&out, "%s, %s, %s", flags & HID_CONSTANT ? "constant" : "data", flags & HID_VARIABLE ? "variable" : "array",
         flags & HID_RELATIVE ? "relative" : "absolute");
     for (size_t i = 0; i < sizeof more / sizeof *more; i++) {
