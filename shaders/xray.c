@@ -5,8 +5,8 @@
 #include "ink.h"
 
 const struct xray_scale xray_scales[XRAY_LAYERS] = {
-    [XRAY_CATALYST] = {0, 1, false}, [XRAY_ACTIVE] = {0, 0.6f, false},   [XRAY_CARVED] = {0, 1, false},
-    [XRAY_SOLVENT] = {0, 2, false},  [XRAY_VELOCITY] = {0, 0.05f, true}, [XRAY_GUIDANCE] = {0, 1, true},
+    [XRAY_CATALYST] = {0, 1, false}, [XRAY_ACTIVE] = {0, 0.16f, false},   [XRAY_CARVED] = {0, 1, false},
+    [XRAY_SOLVENT] = {0, 6, false},  [XRAY_VELOCITY] = {0, 0.1f, true}, [XRAY_GUIDANCE] = {0, 1, true},
 };
 
 const uint8_t xray_ground[3] = {14, 16, 20};

@@ -20,7 +20,7 @@ struct xray_scale {
     float low, high; /* shown from dark to light; beyond, as the end. A vector: its length, its direction as hue */
     bool vector;
 };
-/* catalyst 0..1, active 0..0.6, carved 0..1, solvent 0..2 (densities); velocity 0..0.05 density cells a step; guidance
+/* catalyst 0..1, active 0..0.16, carved 0..1, solvent 0..6 (densities); velocity 0..0.1 density cells a step; guidance
  * 0..1. */
 extern const struct xray_scale xray_scales[XRAY_LAYERS];
 
