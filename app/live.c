@@ -157,7 +157,7 @@ static bool recover(struct live *live)
     double start = bench_wall_s();
     say("the GPU was reset");
     studio_suspend(live->studio);
-    live_picture_finish(&live->picture, true);
+    live_picture_finish(&live->picture);
     while (!display_renew(live->display, &display_error)) {
         if (told_to_go(live)) {
             return false;
@@ -278,7 +278,7 @@ bool live(const struct script *script, struct display *display, const struct liv
         good = write_shot(&live) && good;
     }
     studio_destroy(live.studio);
-    live_picture_finish(&live.picture, display_lost(display));
+    live_picture_finish(&live.picture);
     live_care_finish(&live.care);
     release_signals(live.signals);
     return good;
