@@ -56,11 +56,9 @@ says "frond: engine cpu: asked for"
 says "frond: 3 frames presented, .*"
 [ "$(size_of a.png)" = 192x128 ] || fail "$last: the shot is $(size_of a.png)"
 expect 0 run one-drop.yaml --display headless --mode 192x128 --rotate 90 --ticks 20 --once --frames 2 --shot b.png
-says "frond: engine [cg]pu: a busy tick takes [0-9.]* ms on the CPU, [0-9.]* ms on the GPU"
+says "frond: engine [cg]pu: .*"
 [ "$(size_of b.png)" = 128x192 ] || fail "$last: the shot is $(size_of b.png)"
-[ -s state/frond/engines.json ] || fail "$last: does not remember"
 expect 0 run one-drop.yaml --display headless --mode 160x120 --ticks 20 --once --frames 2 --xray --shot c.png
-says "frond: engine [cg]pu: a busy tick .* (remembered)"
 [ "$(size_of c.png)" = 160x120 ] || fail "$last: the shot is $(size_of c.png)"
 expect 1 run one-drop.yaml --display headless --ticks 5 --once --frames 1 --engine cpu --shot no/d.png
 grep -q '^frond: no/d.png: ' err.txt || fail "$last: no reason"
