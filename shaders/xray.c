@@ -49,7 +49,7 @@ void xray_layout(int width, int height, int cells_x, int cells_y, struct xray_pa
     for (int i = 0; i < XRAY_LAYERS; i++) {
         int x = gap + i % columns * (wide + gap) + (wide - image_wide) / 2;
         int y = gap + i / columns * (high + gap) + (room - image_high) / 2;
-        panels[i].title = (struct xray_box){x, y, image_wide, title};
+        panels[i].title = (struct xray_box){x, y, (wide + image_wide) / 2, title};
         panels[i].image = (struct xray_box){x, y + title, image_wide, image_high};
         panels[i].scale = (struct xray_box){x, y + title + image_high, image_wide, scale};
     }

@@ -322,7 +322,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_painting),   cmocka_unit_test(hard_edges), cmocka_unit_test(same_bytes_again),
-        cmocka_unit_test(tone_follows), cmocka_unit_test(refusals),
+        cmocka_unit_test(tone_follows), cmocka_unit_test(refusals),   cmocka_unit_test(costs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
