@@ -7,12 +7,12 @@
 #include <pango/pangocairo.h>
 
 const struct legend_text legend_texts[XRAY_LAYERS] = {
-    [XRAY_CATALYST] = {"Catalyst", "what growth feeds on"},
+    [XRAY_CATALYST] = {"Catalyst", "food of growth"},
     [XRAY_ACTIVE] = {"Active pattern", "where it grows now"},
     [XRAY_CARVED] = {"Carved pattern", "depth"},
     [XRAY_SOLVENT] = {"Solvent", "density"},
-    [XRAY_VELOCITY] = {"Solvent flow", "cells a step"},
-    [XRAY_GUIDANCE] = {"Guidance", "of growth"},
+    [XRAY_VELOCITY] = {"Solvent flow", "cells a step, by density"},
+    [XRAY_GUIDANCE] = {"Guidance", "direction of growth"},
 };
 
 static const double LIGHT[3] = {0.93, 0.94, 0.95};
@@ -62,11 +62,12 @@ static void draw_title(const struct pen *pen, const struct xray_box *box, const 
 {
     double y = box->y + 0.5 * box->height;
     double unit = 0.75 * pen->text;
-    int taken = set_line(pen, text->title, pen->text, true) + set_line(pen, text->unit, unit, false);
+    int title = set_line(pen, text->title, pen->text, true);
+    int taken = title + set_line(pen, text->unit, unit, false);
     write_line(pen, text->title, pen->text, true, LIGHT, box->x, y, SIDE_LEFT);
     /* Where the two do not fit, the title is worth more. */
     if (taken + pen->text / 2 <= box->width) {
-        write_line(pen, text->unit, unit, false, DIM, box->x + box->width, y + 0.1 * pen->text, SIDE_RIGHT);
+        write_line(pen, text->unit, unit, false, DIM, box->x + title + 0.6 * pen->text, y + 0.1 * pen->text, SIDE_LEFT);
     }
 }
 

@@ -5,7 +5,7 @@
 #include "ink.h"
 
 const struct xray_scale xray_scales[XRAY_LAYERS] = {
-    [XRAY_CATALYST] = {0, 1, false}, [XRAY_ACTIVE] = {0, 0.16f, false},   [XRAY_CARVED] = {0, 1, false},
+    [XRAY_CATALYST] = {0, 1, false}, [XRAY_ACTIVE] = {0, 0.16f, false}, [XRAY_CARVED] = {0, 1, false},
     [XRAY_SOLVENT] = {0, 6, false},  [XRAY_VELOCITY] = {0, 0.1f, true}, [XRAY_GUIDANCE] = {0, 1, true},
 };
 
@@ -24,7 +24,7 @@ static const float hues[XRAY_LAYERS][2] = {
 int xray_text(int width, int height)
 {
     int side = width < height ? width : height;
-    return side / 36 > 7 ? side / 36 : 7;
+    return side / 36 > 3 ? side / 36 : 3;
 }
 
 void xray_layout(int width, int height, int cells_x, int cells_y, struct xray_panel panels[XRAY_LAYERS])
@@ -49,7 +49,7 @@ void xray_layout(int width, int height, int cells_x, int cells_y, struct xray_pa
     for (int i = 0; i < XRAY_LAYERS; i++) {
         int x = gap + i % columns * (wide + gap) + (wide - image_wide) / 2;
         int y = gap + i / columns * (high + gap) + (room - image_high) / 2;
-        panels[i].title = (struct xray_box){x, y, image_wide, title};
+        panels[i].title = (struct xray_box){x, y, (wide + image_wide) / 2, title};
         panels[i].image = (struct xray_box){x, y + title, image_wide, image_high};
         panels[i].scale = (struct xray_box){x, y + title + image_high, image_wide, scale};
     }

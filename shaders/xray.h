@@ -28,7 +28,8 @@ struct xray_box {
     int x, y, width, height; /* pixels of the sheet, from the top left */
 };
 struct xray_panel {
-    struct xray_box title, image, scale; /* above one another; the image has the shape of the painting */
+    struct xray_box title, image,
+        scale; /* above one another; the image has the shape of the painting, the title may be wider */
 };
 /* Three columns on a landscape sheet, two on a portrait one, of sheets of 64 pixels a side and more. */
 void xray_layout(int width, int height, int cells_x, int cells_y, struct xray_panel panels[XRAY_LAYERS]);
