@@ -26,9 +26,8 @@ struct pending {
 
 struct button {
     struct debounce debounce;
-    bool armed; /* has been seen up */
-    bool down;  /* as told */
-    bool said;  /* that it does not come to rest */
+    bool down; /* as told: one that is held from the start is not */
+    bool said; /* that it does not come to rest */
 };
 
 struct knob {
@@ -91,10 +90,6 @@ static void post_control(struct source_gpio *gpio, int control, int line, uint64
 static void tell_button(struct source_gpio *gpio, int number, const struct transition *transition)
 {
     struct button *button = &gpio->buttons[number];
-    if (!button->armed) {
-        button->armed = !transition->level;
-        return;
-    }
     if (transition->level != button->down) {
         button->down = transition->level;
         post_control(gpio, number, number, transition->time_us, false, transition->level);
@@ -261,7 +256,7 @@ static void start_line(struct source_gpio *gpio, int number)
     if (number < gpio->button_count) {
         struct button *button = &gpio->buttons[number];
         uint32_t settle_us = gpio->bank.ops->debounced(line->line) ? 0 : line->request.debounce_us;
-        *button = (struct button){.armed = !line->level};
+        *button = (struct button){.down = false};
         debounce_init(&button->debounce, settle_us, line->level);
         return;
     }

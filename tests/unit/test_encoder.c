@@ -153,6 +153,23 @@ static void a_fast_spin_may_lose_steps_but_not_its_way(void **state)
     assert_int_equal(turned.sum, sum - 5);
 }
 
+/* So fast that only every second step is seen: once it is known which way, that is enough. */
+static void half_of_the_steps_tell_the_way_when_it_was_known(void **state)
+{
+    (void)state;
+    for (int way = -1; way <= 1; way += 2) {
+        struct turned turned;
+        start(&turned, 4, 0);
+        detents(&turned, way, 0, 5000);
+        for (int i = 0; i < 20; i++) {
+            turned.place = (turned.place + 2) % 4;
+            levels(&turned, 500, circle[turned.place]);
+        }
+        assert_int_equal(turned.sum, way * 11);
+        assert_int_equal(turned.encoder.errors, 20);
+    }
+}
+
 static void one_lost_step_in_a_detent_costs_nothing(void **state)
 {
     (void)state;
@@ -209,6 +226,7 @@ int main(void)
         cmocka_unit_test(chatter_around_the_detent_is_nothing),
         cmocka_unit_test(a_turn_back_half_way_is_nothing),
         cmocka_unit_test(a_fast_spin_may_lose_steps_but_not_its_way),
+        cmocka_unit_test(half_of_the_steps_tell_the_way_when_it_was_known),
         cmocka_unit_test(one_lost_step_in_a_detent_costs_nothing),
         cmocka_unit_test(the_place_of_rest_is_learnt),
     };
