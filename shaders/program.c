@@ -9,6 +9,8 @@
 
 #include <GLES3/gl31.h>
 
+#include "variant.h"
+
 enum { INCLUDES_MOST = 32, SOURCE_MOST = 1 << 20 };
 
 /* Integers and floats whole: 16 bits of precision are not enough for any field. */
@@ -79,6 +81,19 @@ static char *copy_embedded(const char *name)
     return NULL;
 }
 
+static char *load_source(const struct shader_folder *folder, const char *name)
+{
+    return folder && folder->path ? read_file(folder->path, name) : copy_embedded(name);
+}
+
+bool shader_variant(const struct shader_folder *folder, const char *name, int index, char defines[VARIANT_TEXT])
+{
+    char *source = load_source(folder, name);
+    bool found = source && variant_defines(source, index, defines);
+    free(source);
+    return found;
+}
+
 long long shader_folder_stamp(const struct shader_folder *folder)
 {
     DIR *directory = folder && folder->path ? opendir(folder->path) : NULL;
@@ -103,6 +118,7 @@ struct assembly {
     struct text text;
     char included[INCLUDES_MOST][64]; /* the number of a file in #line is its place here */
     int count;
+    const char *defines;
     struct shader_error *error;
 };
 
@@ -121,7 +137,9 @@ static bool add_lines(struct assembly *assembly, const char *source, int number)
     for (const char *at = source; *at; line++) {
         const char *end = strchr(at, '\n');
         size_t length = end ? (size_t)(end - at) + 1 : strlen(at);
-        if (!parse_include(at, name)) {
+        if (variant_is_line(at)) {
+            append(&assembly->text, "\n", 1);
+        } else if (!parse_include(at, name)) {
             append(&assembly->text, at, length);
         } else if (!add_source(assembly, name, assembly->included[number])) {
             return false;
@@ -135,9 +153,26 @@ static bool add_lines(struct assembly *assembly, const char *source, int number)
     return true;
 }
 
+/* A stage has the defines of one of its variants; only a stage has variants. */
+static bool check_variant(const struct assembly *assembly, const char *name, const char *source, bool stage)
+{
+    char label[VARIANT_TEXT];
+    if (stage && !variant_admits(source, assembly->defines)) {
+        variant_label(assembly->defines, label);
+        return shader_fail(assembly->error, "%s: none of its #variant lines has '%s'", name, label);
+    }
+    for (const char *line = stage ? NULL : source; line; line = strchr(line, '\n')) {
+        line += *line == '\n';
+        if (variant_is_line(line)) {
+            return shader_fail(assembly->error, "%s: #variant belongs into a stage", name);
+        }
+    }
+    return true;
+}
+
 static bool add_source(struct assembly *assembly, const char *name, const char *from)
 {
-    char mark[32];
+    char mark[96];
     for (int i = 0; i < assembly->count; i++) {
         if (strcmp(assembly->included[i], name) == 0) {
             return true;
@@ -146,24 +181,23 @@ static bool add_source(struct assembly *assembly, const char *name, const char *
     if (assembly->count == INCLUDES_MOST || strlen(name) >= sizeof assembly->included[0]) {
         return shader_fail(assembly->error, "%s: too many includes, or too long a name", name);
     }
-    char *source =
-        assembly->folder && assembly->folder->path ? read_file(assembly->folder->path, name) : copy_embedded(name);
+    char *source = load_source(assembly->folder, name);
     if (!source) {
         return shader_fail(assembly->error, "%s: no such shader source%s%s", name, from ? ", included by " : "",
                            from ? from : "");
     }
     int number = assembly->count++;
     snprintf(assembly->included[number], sizeof assembly->included[number], "%s", name);
-    snprintf(mark, sizeof mark, "#line 1 %d\n", number);
+    snprintf(mark, sizeof mark, "// %d: %s\n#line 1 %d\n", number, name, number);
     append(&assembly->text, mark, strlen(mark));
-    bool good = add_lines(assembly, source, number);
+    bool good = check_variant(assembly, name, source, !from) && add_lines(assembly, source, number);
     free(source);
     return good;
 }
 
 char *shader_text(const struct shader_folder *folder, const char *name, const char *defines, struct shader_error *error)
 {
-    struct assembly assembly = {.folder = folder, .error = error};
+    struct assembly assembly = {.folder = folder, .defines = defines, .error = error};
     append(&assembly.text, PREAMBLE, strlen(PREAMBLE));
     if (defines) {
         append(&assembly.text, defines, strlen(defines));
@@ -236,7 +270,10 @@ unsigned program_compute(const struct shader_folder *folder, const char *name, c
 unsigned program_draw(const struct shader_folder *folder, const char *vertex, const char *fragment, const char *defines,
                       struct shader_error *error)
 {
-    GLuint first = compile(GL_VERTEX_SHADER, folder, vertex, defines, error);
+    char *source = load_source(folder, vertex);
+    const char *common = source && variant_admits(source, defines) ? defines : NULL;
+    free(source);
+    GLuint first = compile(GL_VERTEX_SHADER, folder, vertex, common, error);
     GLuint second = first ? compile(GL_FRAGMENT_SHADER, folder, fragment, defines, error) : 0;
     if (!second) {
         glDeleteShader(first);

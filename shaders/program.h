@@ -3,12 +3,15 @@
  *
  * A source is a file of this folder: NAME.comp, NAME.vert, NAME.frag are stages, NAME.glsl are included by
  * `#include "NAME.glsl"` (a line of its own, in any source, each file once a program). The first line, `#version 310
- * es`, and the precisions are put in front of every stage by the library: a source begins without them. */
+ * es`, and the precisions are put in front of every stage by the library: a source begins without them. The sets of
+ * #defines that a stage is compiled with stand in it as `#variant` lines (variant.h); no others are taken. */
 #ifndef FROND_PROGRAM_H
 #define FROND_PROGRAM_H
 
 #include <stdbool.h>
 #include <stddef.h>
+
+#include "variant.h"
 
 enum {
     PROGRAM_INVOCATIONS = 128,    /* a group: all that GLES 3.1 promises (GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS) */
@@ -37,12 +40,17 @@ struct shader_folder {
 /* Changes whenever a source of the folder does: its newest time of modification, ns. 0 for the embedded. */
 long long shader_folder_stamp(const struct shader_folder *folder);
 
-/* The whole text of a stage: version, precisions, `defines` (lines of #define, or NULL), includes in place. Owned by
- * the caller (free). NULL with the reason in `error`. */
+/* The whole text of a stage: version, precisions, `defines` (lines of #define that are one of its variants, or NULL),
+ * includes in place, before each `// NUMBER: NAME` of the file whose number `#line` gives. Owned by the caller (free).
+ * NULL with the reason in `error`. */
 char *shader_text(const struct shader_folder *folder, const char *name, const char *defines,
                   struct shader_error *error);
 
-/* GL names of linked programs; 0 with the reason in `error`. Delete with glDeleteProgram. */
+/* variant_defines of a stage, wherever it comes from; false also when there is no such source. */
+bool shader_variant(const struct shader_folder *folder, const char *name, int index, char defines[VARIANT_TEXT]);
+
+/* GL names of linked programs; 0 with the reason in `error`. Delete with glDeleteProgram. The vertex stage of a drawing
+ * takes the defines where they are a variant of it, and none otherwise. */
 unsigned program_compute(const struct shader_folder *folder, const char *name, const char *defines,
                          struct shader_error *error);
 unsigned program_draw(const struct shader_folder *folder, const char *vertex, const char *fragment, const char *defines,

@@ -1,0 +1,3 @@
+#if 0
+#version 320 es
+#endif
