@@ -50,7 +50,7 @@ void bank_stop(struct gpio_bank *bank);
 /* Every BANK_RETRY_US: asks every line whether it is still there, takes what is missing. */
 void bank_check(struct gpio_bank *bank);
 /* A line has failed with -errno: its chip is gone, all its lines are lost. */
-void bank_lose(struct gpio_bank *bank, int line, int code);
+void bank_lose(struct gpio_bank *bank, int number, int code);
 /* The places of chips that have left are free again, after their EVENT_LEFT. */
 void bank_forget(struct gpio_bank *bank);
 /* As source_ops.devices. */

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/gpio.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +26,7 @@ struct line {
 struct gpio_mock {
     UMockdevTestbed *bed;
     UMockdevIoctlBase *handler;
-    GMutex mutex; /* umockdev answers in a thread of its own */
+    pthread_mutex_t mutex; /* umockdev answers in a thread of its own */
     struct line lines[MOCK_LINES];
     int number; /* of the chip */
     bool gone;
@@ -229,11 +230,11 @@ static gboolean answer(UMockdevIoctlBase *handler, UMockdevIoctlClient *client, 
     if (!data) {
         return FALSE;
     }
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     int code = mock->gone    ? ENODEV
                : number >= 0 ? answer_line(&mock->lines[number], request, data->data)
                              : answer_chip(mock, request, data->data);
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     umockdev_ioctl_client_complete(client, code == 0 ? 0 : -1, code < 0 ? ENOTTY : code);
     g_object_unref(data);
     return TRUE;
@@ -263,9 +264,9 @@ static void attach(struct gpio_mock *mock, const char *node)
 
 void gpio_mock_plug(struct gpio_mock *mock)
 {
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     mock->gone = false;
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     char name[32], node[40];
     snprintf(name, sizeof name, "gpiochip%d", mock->number);
     snprintf(node, sizeof node, "/dev/%s", name);
@@ -275,13 +276,13 @@ void gpio_mock_plug(struct gpio_mock *mock)
 
 void gpio_mock_unplug(struct gpio_mock *mock)
 {
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     mock->gone = true;
     for (int i = 0; i + 1 < MOCK_LINES; i++) {
         mock->lines[i].consumer[0] = '\0';
         mock->lines[i].seen.requested = false;
     }
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     char node[32], path[48];
     snprintf(node, sizeof node, "/dev/gpiochip%d", mock->number);
     snprintf(path, sizeof path, "/sys/devices/mock/gpiochip%d", mock->number);
@@ -316,7 +317,7 @@ struct gpio_mock *gpio_mock_create(void)
         free(mock);
         return NULL;
     }
-    g_mutex_init(&mock->mutex);
+    pthread_mutex_init(&mock->mutex, NULL);
     mock->handler = umockdev_ioctl_base_new();
     g_signal_connect(mock->handler, "handle-ioctl", G_CALLBACK(answer), mock);
     for (int i = 0; i < MOCK_LINES; i++) {
@@ -346,17 +347,17 @@ void gpio_mock_destroy(struct gpio_mock *mock)
     }
     g_object_unref(mock->bed);
     g_object_unref(mock->handler);
-    g_mutex_clear(&mock->mutex);
+    pthread_mutex_destroy(&mock->mutex);
     free(mock);
 }
 
 struct mock_line gpio_mock_line(struct gpio_mock *mock, int line)
 {
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     struct mock_line seen = mock->lines[line].seen;
     /* umockdev does not tell when a descriptor is closed, which is how a line is released. */
     seen.requested = seen.requested && fcntl(mock->lines[line].fd, F_GETFD) >= 0;
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     return seen;
 }
 
@@ -364,12 +365,12 @@ void gpio_mock_level(struct gpio_mock *mock, int number, bool level, uint64_t ti
 {
     char node[32];
     line_node(number, node);
-    g_mutex_lock(&mock->mutex);
+    pthread_mutex_lock(&mock->mutex);
     struct line *line = &mock->lines[number];
     line->seen.level = level;
     int generation = line->seen.requested ? line->generation : 0;
     uint32_t debounce_us = line->seen.debounce_us;
-    g_mutex_unlock(&mock->mutex);
+    pthread_mutex_unlock(&mock->mutex);
     struct gpioevent_data first = {.timestamp = time_us * 1000,
                                    .id = level ? GPIOEVENT_EVENT_RISING_EDGE : GPIOEVENT_EVENT_FALLING_EDGE};
     /* What the kernel debounces it reports when it has settled, with that time. */
