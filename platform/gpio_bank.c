@@ -350,14 +350,19 @@ void bank_forget(struct gpio_bank *bank)
 
 /* ---- from time to time */
 
-/* Whether the chip still answers, and whether an edge got lost. */
+/* Whether the chip still answers, and whether an edge got lost. Not every chip can read its outputs. */
 static void check_line(struct gpio_bank *bank, int number)
 {
     struct bank_line *line = &bank->lines[number];
-    int value = line->line ? bank->ops->get(line->line) : 0;
+    struct gpio_line_info info;
+    if (!line->line) {
+        return;
+    }
+    int value = line->request.output ? -bank->ops->line_info(bank->chips[line->place].chip, line->found, &info)
+                                     : bank->ops->get(line->line);
     if (value < 0) {
         bank_lose(bank, number, value);
-    } else if (line->line && !line->request.output) {
+    } else if (!line->request.output) {
         line->stirred |= (value > 0) != line->level;
     }
 }

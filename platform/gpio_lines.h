@@ -1,5 +1,5 @@
 /* GPIO lines as the kernel has them, behind one small interface: one backend for each major of libgpiod (the build
- * takes the one that is installed), and a fake one in the tests. Private to source_gpio and gpio_bank.
+ * takes the one that is installed), and a fake one in the tests. Of use to others are only the bias and the infos.
  *
  * Values are logical: with active_low a line is active when its voltage is low. No function blocks. Those that can fail
  * return or set an errno: ENODEV when the chip is gone, EBUSY when another program has the line, EACCES. */

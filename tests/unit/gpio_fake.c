@@ -184,6 +184,9 @@ static int fake_read(struct gpio_line *line, struct gpio_edge *edges)
 static int fake_get(struct gpio_line *line)
 {
     int code = state_of(line->fake, line->number, line->generation);
+    if (line_of(line)->request.output && line->fake->chips[line->number].mute) {
+        return -EIO;
+    }
     return code ? -code : line_of(line)->level;
 }
 

@@ -18,6 +18,7 @@ struct fake_line {
 struct fake_chip {
     bool there;
     int denied;     /* errno of opening it; 0: it can be opened */
+    bool mute;      /* outputs cannot be read */
     int broken;     /* errno of whatever is asked of a line; 0: it works */
     int generation; /* handles of an earlier one are of no use */
     char label[GPIO_NAME];

@@ -487,6 +487,22 @@ static void lamps_switch_at_one_half_and_not_too_often(void **state)
     assert_in_range(line->switched, 4, 6);
 }
 
+static void a_chip_of_lamps_alone_is_watched_without_reading_them(void **state)
+{
+    (void)state;
+    struct fixture fixture = {.fake.now_us = 1000};
+    plug_board(&fixture.fake, 2);
+    fixture.fake.chips[2].mute = true;
+    fixture.source = create(&fixture.fake, &(struct source_gpio_def){.lamps = &lamp, .lamp_count = 1});
+    pass(&fixture, 5000000);
+    expect_log(&fixture, "gpiochip2 'board' is there: 1 of its lines are used");
+    expect_log(&fixture, "");
+    fake_unplug(&fixture.fake, 2);
+    pass(&fixture, 1100000);
+    expect_log(&fixture, "gpiochip2 'board' has left: it was removed");
+    source_destroy(fixture.source);
+}
+
 static void lamps_come_back_lit_and_end_dark(void **state)
 {
     (void)state;
@@ -571,6 +587,7 @@ int main(void)
         cmocka_unit_test(a_storm_loses_no_release),
         WITH_BOARD(a_contact_that_never_rests_is_said_once),
         WITH_BOARD(lamps_switch_at_one_half_and_not_too_often),
+        cmocka_unit_test(a_chip_of_lamps_alone_is_watched_without_reading_them),
         cmocka_unit_test(lamps_come_back_lit_and_end_dark),
         WITH_BOARD(at_rest_it_costs_next_to_nothing),
         cmocka_unit_test(wrong_definitions_say_why),
