@@ -57,26 +57,23 @@ static bool is_desktop(void)
     return (wayland && *wayland) || (x11 && *x11);
 }
 
+struct choice {
+    const struct display_source *sources[3];
+    const char *why; /* the first of them is tried first */
+    int count;
+};
+
 /* On a desktop a window, since another program is master of the screen there; else the screen; else memory. */
-static void choose(const struct display_def *def, const struct display_source *sources[3], const char *why[3])
+static struct choice choose(const struct display_def *def)
 {
     static const struct display_source *const ALL[] = {&display_kms, &display_window, &display_headless};
     for (size_t i = 0; i < sizeof ALL / sizeof ALL[0]; i++) {
         if (def->kind == ALL[i]->kind) {
-            sources[0] = ALL[i];
-            why[0] = "asked for";
-            return;
+            return (struct choice){{ALL[i]}, "asked for", 1};
         }
     }
-    int count = 0;
-    if (is_desktop()) {
-        sources[count] = &display_window;
-        why[count++] = "a desktop is running";
-    }
-    sources[count] = &display_kms;
-    why[count++] = "no desktop is running";
-    sources[count] = &display_headless;
-    why[count++] = "neither a desktop nor a screen of the board can be had";
+    return is_desktop() ? (struct choice){{&display_window, &display_kms, &display_headless}, "a desktop is running", 3}
+                        : (struct choice){{&display_kms, &display_headless}, "no desktop is running", 2};
 }
 
 static const char *keep(char *place, size_t size, const char *text)
@@ -127,16 +124,14 @@ static bool is_valid(const struct display_def *def, struct display_error *error)
 
 struct display *display_create(const struct display_def *def, struct display_error *error)
 {
-    const struct display_source *sources[3] = {NULL, NULL, NULL};
-    const char *why[3] = {"", "", ""};
     char reasons[sizeof error->text] = "";
     size_t used = 0;
     if (!is_valid(def, error)) {
         return NULL;
     }
-    choose(def, sources, why);
-    for (int i = 0; i < 3 && sources[i]; i++) {
-        struct display *display = try_source(def, sources[i], why[i], error);
+    struct choice choice = choose(def);
+    for (int i = 0; i < choice.count; i++) {
+        struct display *display = try_source(def, choice.sources[i], i == 0 ? choice.why : reasons, error);
         if (display) {
             return display;
         }
@@ -144,7 +139,7 @@ struct display *display_create(const struct display_def *def, struct display_err
         used += wrote > 0 ? (size_t)wrote : 0;
         used = used < sizeof reasons ? used : sizeof reasons - 1;
     }
-    snprintf(error->text, sizeof error->text, "%s", reasons);
+    memcpy(error->text, reasons, sizeof reasons);
     return NULL;
 }
 

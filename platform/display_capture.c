@@ -26,7 +26,11 @@ bool display_capture(struct display *display, uint8_t *rgb)
         return false;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, display->framebuffer);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+    glPixelStorei(GL_PACK_SKIP_PIXELS, 0);
+    glPixelStorei(GL_PACK_SKIP_ROWS, 0);
     glReadPixels(0, 0, panel.width, panel.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
     for (int y = 0; y < sheet.height; y++) {
         for (int x = 0; x < sheet.width; x++) {

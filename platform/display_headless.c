@@ -108,6 +108,8 @@ static void headless_end(struct display *display)
 
 static void headless_power(struct display *display, bool on)
 {
+    struct headless *headless = display->own;
+    headless->next_us = 0; /* what the dark lasted is not missed */
     display->state = on ? DISPLAY_SHOWN : DISPLAY_DARK;
 }
 

@@ -11,6 +11,8 @@
 #include "kms_screen.h"
 #include "kms_watch.h"
 
+enum { LOST_MS = 100 }; /* the longest wait while there is no card */
+
 struct kms {
     struct kms_card *card;
     struct kms_watch *watch;
@@ -54,28 +56,37 @@ static void fit(struct display *display)
     }
     if (!kms_buffers_make(&kms->buffers, &display->egl, width, height, NULL, 0, &error)) {
         struct display_error named;
-        display_fail(&named, "%s: %.200s", output->name, error.text);
+        char mode[KMS_MODE_TEXT];
+        kms_mode_text(&output->mode, mode);
+        display_fail(&named, "%s %s: %.200s", output->name, mode, error.text);
         kms_screen_unfit(&kms->screen, &named, display_now_us());
         return;
     }
     kms_screen_fit(&kms->screen, kms->buffers.each[0].id, true, display_now_us());
 }
 
+/* Every choice that was made, and why. */
 static void note(struct display *display)
 {
     struct kms *kms = display->own;
     const struct kms_screen *screen = &kms->screen;
+    const struct display_def *def = &display->def;
     char mode[KMS_MODE_TEXT];
     int used = snprintf(display->note, sizeof display->note, "%s (%s, %s), ", kms->card->path, kms->card->driver,
                         kms->card->atomic ? "atomic" : "legacy");
     size_t room = sizeof display->note - (size_t)used;
     if (screen->stage == KMS_EMPTY) {
-        snprintf(display->note + used, room, "%.150s", screen->reason.text[0] ? screen->reason.text : "no screen");
-    } else {
-        kms_mode_text(&screen->output.mode, mode);
-        snprintf(display->note + used, room, "%s %s%s", screen->output.name, mode,
-                 screen->lent ? ", another program is master" : "");
+        snprintf(display->note + used, room, "%.280s", screen->reason.text[0] ? screen->reason.text : "no screen");
+        return;
     }
+    kms_mode_text(&screen->output.mode, mode);
+    snprintf(display->note + used, room, "%s%s %s%s%s%s%.200s", screen->output.name,
+             def->connector ? " (asked for)" : "", mode,
+             def->width || def->height || def->refresh_mhz        ? " (asked for)"
+             : screen->output.mode.type & DRM_MODE_TYPE_PREFERRED ? " (preferred)"
+                                                                  : "",
+             screen->lent ? ", another program is master of it" : "", screen->refused_due_us ? "; " : "",
+             screen->refused_due_us ? screen->reason.text : "");
 }
 
 /* What the screen has come to, for display.c. */
@@ -85,6 +96,7 @@ static void tell(struct display *display)
     const struct kms_screen *screen = &kms->screen;
     display->state = kms_screen_state(screen);
     display->frames = screen->frames;
+    display->lost = display->lost || screen->stale;
     bool sized = screen->stage != KMS_EMPTY;
     display->panel.width = sized ? screen->output.mode.hdisplay : 0;
     display->panel.height = sized ? screen->output.mode.vdisplay : 0;
@@ -171,12 +183,10 @@ static bool kms_create(struct display *display, struct display_error *error)
     return start(display, error);
 }
 
-static void kms_destroy(struct display *display)
+/* Everything but `own` itself, which may be started again. */
+static void stop(struct display *display)
 {
     struct kms *kms = display->own;
-    if (!kms) {
-        return;
-    }
     if (kms->screen.card) {
         kms_screen_finish(&kms->screen);
     }
@@ -184,20 +194,31 @@ static void kms_destroy(struct display *display)
         drop_buffers(display);
         display_egl_finish(&display->egl);
         eglTerminate(display->egl.display);
+        display->egl.display = EGL_NO_DISPLAY;
     }
     if (kms->buffers.gbm) {
         gbm_device_destroy(kms->buffers.gbm);
     }
     kms_watch_destroy(kms->watch);
     kms_card_close(kms->card);
-    free(kms);
+    *kms = (struct kms){.card = NULL};
+}
+
+static void kms_destroy(struct display *display)
+{
+    if (display->own) {
+        stop(display);
+        free(display->own);
+    }
 }
 
 static void attend(struct display *display)
 {
     struct kms *kms = display->own;
-    kms_screen_attend(&kms->screen, display_now_us(), kms_watch_read(kms->watch));
-    settle(display);
+    if (kms->card) {
+        kms_screen_attend(&kms->screen, display_now_us(), kms_watch_read(kms->watch));
+        settle(display);
+    }
 }
 
 static int milliseconds_until(uint64_t due_us)
@@ -209,6 +230,11 @@ static int milliseconds_until(uint64_t due_us)
 static void kms_wait(struct display *display, int timeout_ms)
 {
     struct kms *kms = display->own;
+    if (!kms->card) { /* waits to be renewed */
+        static const int NONE[2] = {-1, -1};
+        display_poll(display, NONE, timeout_ms < 0 || timeout_ms > LOST_MS ? LOST_MS : timeout_ms);
+        return;
+    }
     enum display_state before = display->state;
     uint64_t end_us = timeout_ms < 0 ? UINT64_MAX : display_now_us() + (uint64_t)timeout_ms * 1000;
     attend(display);
@@ -251,13 +277,39 @@ static void kms_end(struct display *display)
 static void kms_power(struct display *display, bool on)
 {
     struct kms *kms = display->own;
+    if (!kms->card) {
+        display->state = on ? DISPLAY_LENT : DISPLAY_DARK;
+        return;
+    }
     kms_screen_power(&kms->screen, on, display_now_us());
     settle(display);
+}
+
+/* The card as well, where this opening of it will never be master again. Counts and darkness go on. */
+static bool start_again(struct display *display, struct display_error *error)
+{
+    struct kms *kms = display->own;
+    struct display_frames frames = display->frames;
+    bool dark = kms->card ? kms->screen.dark : display->state == DISPLAY_DARK;
+    stop(display);
+    display->state = dark ? DISPLAY_DARK : DISPLAY_LENT;
+    display->frames = frames;
+    if (!start(display, error)) {
+        stop(display);
+        return false;
+    }
+    frames.refresh_mhz = kms->screen.frames.refresh_mhz;
+    kms->screen.frames = frames;
+    kms_power(display, !dark);
+    return true;
 }
 
 static bool kms_renew(struct display *display, struct display_error *error)
 {
     struct kms *kms = display->own;
+    if (!kms->card || kms->screen.stale) {
+        return start_again(display, error);
+    }
     kms_buffers_unbind(&kms->buffers, &display->egl);
     display->framebuffer = 0;
     display->drawn = false;

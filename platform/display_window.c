@@ -10,6 +10,7 @@
 #include "display_canvas.h"
 #include "display_source.h"
 #include "display_window_input.h"
+#include "kms_pace.h"
 
 enum {
     WINDOW_WIDTH = 1280, /* points of the desktop, where the definition leaves it open */
@@ -23,6 +24,7 @@ struct window {
     SDL_GLContext context;
     struct display_canvas canvas; /* the window's own buffers are undefined after a frame, and of its size only later */
     struct window_input input;
+    struct kms_pace pace;
     uint64_t next_us; /* before which no frame is drawn, where the desktop does not pace them */
     bool subsystem;   /* SDL's video was started */
 };
@@ -261,13 +263,16 @@ static void take_event(struct display *display, const SDL_Event *event)
 
 static void take_events(struct display *display)
 {
-    const struct window *window = display->own;
+    struct window *window = display->own;
     SDL_Event event;
     while (SDL_PollEvent(&event)) {
         take_event(display, &event);
     }
     Uint32 flags = SDL_GetWindowFlags(window->window);
     display->state = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED) ? DISPLAY_LENT : DISPLAY_SHOWN;
+    if (display->state != DISPLAY_SHOWN) {
+        kms_pace_stop(&window->pace);
+    }
 }
 
 static void window_wait(struct display *display, int timeout_ms)
@@ -306,24 +311,32 @@ static bool window_begin(struct display *display)
     return true;
 }
 
+static void show_canvas(const struct display *display)
+{
+    const struct window *window = display->own;
+    int width = display->panel.width, height = display->panel.height;
+    bool scissor = glIsEnabled(GL_SCISSOR_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, window->canvas.framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    SDL_GL_SwapWindow(window->window);
+    glBindFramebuffer(GL_FRAMEBUFFER, window->canvas.framebuffer);
+    if (scissor) {
+        glEnable(GL_SCISSOR_TEST);
+    }
+}
+
 static void window_end(struct display *display)
 {
     struct window *window = display->own;
-    struct display_size panel = display->panel;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, window->canvas.framebuffer);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, panel.width, panel.height, 0, 0, panel.width, panel.height, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
-    SDL_GL_SwapWindow(window->window);
-    glBindFramebuffer(GL_FRAMEBUFFER, window->canvas.framebuffer);
-    uint64_t now_us = display_now_us(), period_us = UINT64_C(1000000000) / (uint64_t)display->frames.refresh_mhz;
-    if (display->frames.presented > 0) {
-        uint64_t periods = (now_us - display->frames.last_us + period_us / 2) / period_us;
-        display->frames.missed += periods > 1 ? periods - 1 : 0;
-    }
+    show_canvas(display);
+    struct kms_flip flip = {.time_us = display_now_us()};
+    display->frames.missed += kms_pace_missed(&window->pace, &flip, display->frames.refresh_mhz);
     display->frames.presented++;
-    display->frames.last_us = now_us;
-    window->next_us = now_us + period_us * 3 / 4; /* the rest is the desktop's, which may pace by itself */
+    display->frames.last_us = flip.time_us;
+    uint64_t period_us = UINT64_C(1000000000) / (uint64_t)display->frames.refresh_mhz;
+    window->next_us = flip.time_us + period_us * 3 / 4; /* the rest is the desktop's, which may pace by itself */
 }
 
 static bool window_renew(struct display *display, struct display_error *error)

@@ -94,6 +94,7 @@ struct kms_calls {
     int (*flip)(struct kms_card *card, uint32_t crtc, uint32_t framebuffer, uint64_t token);
     int (*set_property)(struct kms_card *card, uint32_t connector, uint32_t property, uint64_t value);
     int (*read_crtc)(struct kms_card *card, uint32_t crtc, struct kms_past *past);
+    /* ESTALE: not through this opening of the card, but a new one would have it. */
     int (*take_master)(struct kms_card *card);
     /* Flips that have completed since the last call, oldest first. */
     int (*flips)(struct kms_card *card, struct kms_flip flips[KMS_FLIPS], int *count);

@@ -167,6 +167,16 @@ int kms_card_score(const struct kms_scan *scan, const struct kms_wish *wish)
     return best;
 }
 
+void kms_connector_names(const struct kms_scan *scan, char *names, size_t size)
+{
+    size_t used = 0;
+    names[0] = '\0';
+    for (int i = 0; i < scan->connector_count && used < size; i++) {
+        int wrote = snprintf(names + used, size - used, "%s%s", i ? ", " : "", scan->connectors[i].name);
+        used += wrote > 0 ? (size_t)wrote : 0;
+    }
+}
+
 int kms_crtc_index(const struct kms_scan *scan, uint32_t crtc)
 {
     for (int i = 0; i < scan->crtc_count; i++) {

@@ -37,6 +37,8 @@ int kms_card_score(const struct kms_scan *scan, const struct kms_wish *wish);
 
 /* The CRTC that feeds the connector already, else one that can, of those first one that feeds no other; 0: none. */
 uint32_t kms_choose_crtc(const struct kms_scan *scan, const struct kms_connector *connector);
+/* "HDMI-A-1, HDMI-A-2" */
+void kms_connector_names(const struct kms_scan *scan, char *names, size_t size);
 int kms_crtc_index(const struct kms_scan *scan, uint32_t crtc); /* -1: no such */
 
 #endif

@@ -17,11 +17,19 @@ static bool is_busy(int code)
     return code == EBUSY || code == EAGAIN || code == EINTR;
 }
 
-static uint64_t hash_more(uint64_t hash, const void *data, size_t size)
+/* FNV-1a, a word at a time. */
+static uint64_t hash_more(uint64_t hash, uint64_t word)
 {
-    const uint8_t *bytes = data;
-    for (size_t i = 0; i < size; i++) {
-        hash = (hash ^ bytes[i]) * UINT64_C(1099511628211); /* FNV-1a */
+    return (hash ^ word) * UINT64_C(1099511628211);
+}
+
+static uint64_t hash_mode(uint64_t hash, const drmModeModeInfo *mode)
+{
+    const uint32_t words[] = {mode->clock,  mode->hdisplay, mode->hsync_start, mode->hsync_end,
+                              mode->htotal, mode->vdisplay, mode->vsync_start, mode->vsync_end,
+                              mode->vtotal, mode->vscan,    mode->flags,       mode->type};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_more(hash, words[i]);
     }
     return hash;
 }
@@ -32,10 +40,11 @@ static uint64_t signature_of(const struct kms_scan *scan)
     uint64_t hash = UINT64_C(14695981039346656037);
     for (int i = 0; i < scan->connector_count; i++) {
         const struct kms_connector *connector = &scan->connectors[i];
-        const uint32_t head[4] = {connector->id, connector->connected, connector->broken,
-                                  (uint32_t)connector->mode_count};
-        hash = hash_more(hash, head, sizeof head);
-        hash = hash_more(hash, connector->modes, (size_t)connector->mode_count * sizeof connector->modes[0]);
+        hash = hash_more(hash, connector->id);
+        hash = hash_more(hash, (uint64_t)connector->connected << 1 | connector->broken);
+        for (int mode = 0; mode < connector->mode_count; mode++) {
+            hash = hash_mode(hash, &connector->modes[mode]);
+        }
     }
     return hash;
 }
@@ -47,7 +56,6 @@ static void become_lent(struct kms_screen *screen, uint64_t now_us)
     screen->pending = screen->to_darken = false;
     screen->next = 0;
     screen->token++;
-    kms_pace_stop(&screen->pace);
     if (screen->to_switch_off) { /* what the output shows now is the other's affair */
         screen->to_switch_off = false;
         kms_output_close(&screen->output, screen->card);
@@ -63,7 +71,6 @@ static void leave(struct kms_screen *screen, uint64_t now_us)
     screen->next = 0;
     screen->token++;
     screen->frames.refresh_mhz = 0;
-    kms_pace_stop(&screen->pace);
     if (screen->stage == KMS_RUNNING) {
         screen->to_switch_off = true;
         screen->busy_due_us = now_us;
@@ -269,7 +276,9 @@ static void read_flips(struct kms_screen *screen)
 static void try_master(struct kms_screen *screen, uint64_t now_us)
 {
     screen->master_due_us = now_us + KMS_MASTER_US;
-    if (screen->card->calls->take_master(screen->card) == 0) {
+    int code = screen->card->calls->take_master(screen->card);
+    screen->stale = code == ESTALE;
+    if (code == 0) {
         screen->lent = false;
         look(screen, now_us, true);
     }
@@ -388,7 +397,6 @@ void kms_screen_power(struct kms_screen *screen, bool on, uint64_t now_us)
         screen->busy_due_us = now_us;
         screen->pending = false;
         screen->token++;
-        kms_pace_stop(&screen->pace);
     } else if (on && screen->stage == KMS_RUNNING) {
         screen->stage = KMS_FITTED;
     }
@@ -408,7 +416,10 @@ bool kms_screen_start(struct kms_screen *screen, struct kms_card *card, const st
     }
     look(screen, now_us, true);
     if (kms_card_score(screen->scan, wish) == 0) {
-        return display_fail(error, "%s has no connector %s", card->path, wish->connector ? wish->connector : "at all");
+        char names[KMS_CONNECTORS * KMS_NAME];
+        kms_connector_names(screen->scan, names, sizeof names);
+        return display_fail(error, "%s has no connector %s, but %.120s", card->path,
+                            wish->connector ? wish->connector : "for a screen", names);
     }
     int index = kms_choose_connector(screen->scan, wish, 0);
     if (index >= 0 && kms_choose_mode(&screen->scan->connectors[index], wish, NULL) < 0) {

@@ -32,6 +32,7 @@ struct kms_screen {
     struct kms_output output; /* from KMS_CHOSEN on */
     uint32_t connector;       /* that had the picture last, 0: none yet */
     bool lent, dark;
+    bool stale;              /* lent for good: the card has to be opened anew */
     bool to_switch_off;      /* the output is to be taken apart before anything else */
     bool to_darken;          /* ACTIVE is to be cleared */
     uint64_t off_until_us;   /* after which taking the output apart is given up */

@@ -20,15 +20,16 @@
 #     scenario "$@"
 #
 # Every check is a line of the test's output: `ok` or `FAILED`, and the time. A failed one does not end the scenario, so
-# that one run tells all; the ends of the logs are shown with it.
+# that one run tells all; what the logs say anew is shown with it.
 set -uo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 failures=0
+declare -A shown=() # bytes of each log that a failed check has printed
 declare -A pid=() # of what `start` has started, by name
 
 check() { # check WHAT COMMAND...
-    local what=$1 said
+    local what=$1 said size
     shift
     if "$@"; then
         printf 'ok  %3d s  %s\n' $SECONDS "$what"
@@ -37,7 +38,13 @@ check() { # check WHAT COMMAND...
     failures=$((failures + 1))
     printf 'FAILED %3d s  %s: %s\n' $SECONDS "$what" "$*"
     for said in "$out"/*.log; do
-        [[ ! -s $said ]] || { printf -- '---- %s\n' "${said##*/}" && tail -n 12 "$said" && printf -- '----\n'; }
+        size=$(stat -c %s "$said")
+        if ((size > ${shown[$said]:-0})); then
+            printf -- '---- %s\n' "${said##*/}"
+            tail -c +$((${shown[$said]:-0} + 1)) "$said" | tail -n 12
+            printf -- '----\n'
+        fi
+        shown[$said]=$size
     done
     return 1
 }
@@ -48,21 +55,21 @@ within() { # within LEAST VALUE MOST: whole numbers
     (($1 <= $2 && $2 <= $3)) || { printf '        %s is not within %s..%s\n' "$2" "$1" "$3" && false; }
 }
 
-# ---- inside
+# ---- programs in the background, here or inside
 
-start() { # start NAME COMMAND...: in the background; what `tell` says is its standard input
+start() { # start NAME COMMAND...; what `tell` says is its standard input
     local name=$1
     shift
-    rm -f "/run/$name.in"
-    mkfifo "/run/$name.in"
+    rm -f "$scratch/$name.in"
+    mkfifo "$scratch/$name.in"
     : >"$out/$name.log"
-    exec {stdin}<>"/run/$name.in"
+    exec {stdin}<>"$scratch/$name.in"
     "$@" <&"$stdin" >"$out/$name.log" 2>&1 &
     pid[$name]=$!
     exec {stdin}>&-
 }
 tell() { # tell NAME LINE
-    printf '%s\n' "$2" >"/run/$1.in"
+    printf '%s\n' "$2" >"$scratch/$1.in"
 }
 # Until a line of the log holds the pattern; only lines after those that the last `await` of that name has seen.
 declare -A seen=()
@@ -79,14 +86,17 @@ await() { # await NAME SECONDS PATTERN
             fi
         done
         ((SECONDS < end)) || return 1
-        read -r -t 0.1 <>/run/clock || true # sleeps without a process
+        pause 0.1
     done
+}
+pause() { # sleeps without a process
+    read -r -t "$1" <>"$scratch/clock" || true
 }
 ended() { # ended NAME SECONDS STATUS: it ends in that time, with that status
     local end=$((SECONDS + $2)) status=0
     while kill -0 "${pid[$1]}" 2>/dev/null; do
         ((SECONDS < end)) || return 1
-        read -r -t 0.1 <>/run/clock || true
+        pause 0.1
     done
     wait "${pid[$1]}" || status=$?
     equal "$status" "$3"
@@ -125,14 +135,12 @@ play() { # play SUFFIX
         ! declare -F "$scene$1" >/dev/null || "$scene$1"
     done
 }
-play_inside() {
+end_all() {
     local name
-    mkfifo /run/clock
-    play ''
     for name in "${!pid[@]}"; do
         kill "${pid[$name]}" 2>/dev/null
     done
-    exit $((failures > 0))
+    rm -rf "$scratch"
 }
 scenario() {
     local status=0 within=${MACHINE_OUT:-}
@@ -142,13 +150,23 @@ scenario() {
     fi
     build=$(realpath "$2") out=${within:-$3}
     (($# == 3)) || scenes=("${@:4}")
-    [[ ! $within ]] || play_inside
+    if ! declare -F "${scenes[@]}" >/dev/null; then
+        printf '%s: one of these is no scene: %s\n' "$0" "${scenes[*]}" >&2
+        exit 2
+    fi
+    scratch=$(mktemp -d)
+    trap end_all EXIT
+    mkfifo "$scratch/clock"
+    if [[ $within ]]; then
+        play ''
+        exit $((failures > 0))
+    fi
+    "$here/machine" prepared || exit
     rm -rf "$out"
     mkdir -p "$out"
     play _before
     "$here/machine" run --prepared --limit "$1" --out "$out" "${boot[@]}" -- \
         "$(realpath "$0")" "$1" "$build" "$3" "${scenes[@]}" || status=$?
-    ((status != 77)) || exit 77
     ((status <= 1)) || printf 'FAILED  the machine or the scenario ended with %d\n' "$status"
     ((status == 0)) || failures=$((failures + 1))
     play _after

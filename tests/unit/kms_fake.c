@@ -32,7 +32,7 @@ static int fake_scan(struct kms_card *card, bool probe, struct kms_scan *scan)
     if (fake->broken) {
         return ENODEV;
     }
-    if (probe) {
+    if (probe && fake->master) { /* others are told what is known */
         fake->known = fake->wires;
         fake->probes++;
     }
@@ -139,8 +139,16 @@ static int check(const struct fake *fake, const struct kms_value *values, int co
         return EINVAL;
     }
     if (plane_value(values, count, "FB_ID", 1) == 0 || plane_value(values, count, "CRTC_W", width) != width ||
+        plane_value(values, count, "SRC_W", width << 16) != width << 16 ||
+        plane_value(values, count, "CRTC_H", height) != height ||
         plane_value(values, count, "SRC_H", height << 16) != height << 16) {
         return EINVAL;
+    }
+    for (int i = 0; i < fake->wires.connector_count; i++) { /* none of them can be cloned */
+        const struct kms_connector *other = &fake->wires.connectors[i];
+        if (other->crtc == FAKE_CRTC && !find(values, count, other->id, FAKE_CONNECTOR_CRTC)) {
+            return EINVAL;
+        }
     }
     return fake->overlay_shown && !find(values, count, FAKE_OVERLAY, FAKE_PLANE_PROPERTIES) ? EINVAL : 0;
 }
@@ -157,6 +165,9 @@ static void apply(struct fake *fake, const struct kms_value *values, int count)
                           : *crtc                            ? CONNECTORS[i]
                           : fake->connector == CONNECTORS[i] ? 0
                                                              : fake->connector;
+        if (crtc) {
+            fake->wires.connectors[i == 2 ? 0 : i + 1].crtc = 0;
+        }
         fake->link_trained += find(values, count, CONNECTORS[i], FAKE_LINK_STATUS) != NULL;
     }
     if (find(values, count, FAKE_OVERLAY, FAKE_PLANE_PROPERTIES)) {
@@ -208,6 +219,7 @@ static int fake_set_crtc(struct kms_card *card, uint32_t crtc, uint32_t framebuf
 {
     struct fake *fake = fake_of(card);
     if (!fake->master || crtc != FAKE_CRTC) {
+        fake->denied += !fake->master;
         return fake->master ? EINVAL : EACCES;
     }
     if (mode && mode->hdisplay == fake->refused_width) {
@@ -255,6 +267,9 @@ static int fake_read_crtc(struct kms_card *card, uint32_t crtc, struct kms_past 
 static int fake_take_master(struct kms_card *card)
 {
     struct fake *fake = fake_of(card);
+    if (fake->outsider && !fake->master) {
+        return fake->other_master ? EACCES : ESTALE;
+    }
     fake->master = fake->master || !fake->other_master;
     return fake->master ? 0 : EBUSY;
 }

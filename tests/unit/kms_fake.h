@@ -21,7 +21,8 @@ struct fake {
     struct kms_scan wires; /* what is plugged in; the kernel learns of modes by probing */
     struct kms_scan known;
     bool master, other_master;
-    bool pending; /* a flip is on its way */
+    bool outsider; /* may not become master again */
+    bool pending;  /* a flip is on its way */
     uint64_t token;
     struct kms_flip done[KMS_FLIPS];
     int done_count;
@@ -41,7 +42,7 @@ struct fake {
     bool broken;               /* every call fails with ENODEV */
     bool lacks;                /* the plane has no property SRC_W */
 
-    int tests, modesets, flips, probes, restored, link_trained;
+    int tests, modesets, flips, probes, restored, denied, link_trained;
 };
 
 void fake_init(struct fake *fake);

@@ -242,6 +242,22 @@ static void definitions_are_checked(void **state)
     assert_string_equal(error.text, "kms: /dev/dri/card77: No such file or directory");
 }
 
+static void without_a_screen_it_says_why(void **state)
+{
+    (void)state;
+    struct display_def def = display_default_def();
+    struct display_error error = {""};
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    def.card = "/dev/dri/card77";
+    struct display *display = display_create(&def, &error);
+    assert_non_null(display);
+    assert_int_equal(display_kind(display), DISPLAY_HEADLESS);
+    assert_string_equal(display_describe(display),
+                        "headless, 1280x720; kms: /dev/dri/card77: No such file or directory");
+    display_destroy(display);
+}
+
 static void a_display_says_what_it_is(void **state)
 {
     (void)state;
@@ -264,6 +280,7 @@ int main(void)
         cmocka_unit_test(events_wait_until_they_are_asked_for),
         cmocka_unit_test(other_devices_end_the_waiting),
         cmocka_unit_test(definitions_are_checked),
+        cmocka_unit_test(without_a_screen_it_says_why),
         cmocka_unit_test(a_display_says_what_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

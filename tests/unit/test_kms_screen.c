@@ -237,6 +237,8 @@ static void dark_and_light(void **state)
     EXPECT_STATE(bench, DISPLAY_DARK);
     assert_false(bench->fake.active);
     assert_false(frame(bench));
+    fake_blank(&bench->fake, bench->now_us);
+    fake_blank(&bench->fake, bench->now_us);
     kms_screen_power(&bench->screen, true, bench->now_us);
     EXPECT_STATE(bench, DISPLAY_SHOWN);
     assert_true(frame(bench));
@@ -307,6 +309,20 @@ static void another_is_master_from_the_start(void **state)
     assert_true(frame(bench));
 }
 
+static void who_may_not_be_master_again_opens_anew(void **state)
+{
+    struct bench *bench = *state;
+    bench->fake.other_master = bench->fake.outsider = true;
+    fake_plug(&bench->fake, 1, 1920, 1080, 60);
+    assert_true(start(bench, (struct kms_wish){0}));
+    attend(bench, KMS_MASTER_US, false);
+    assert_false(bench->screen.stale);
+    bench->fake.other_master = false;
+    attend(bench, KMS_MASTER_US, false);
+    EXPECT_STATE(bench, DISPLAY_LENT);
+    assert_true(bench->screen.stale);
+}
+
 static void unplugged_while_lent(void **state)
 {
     struct bench *bench = *state;
@@ -325,6 +341,21 @@ static void unplugged_while_lent(void **state)
     attend(bench, KMS_SCAN_US, false);
     assert_true(frame(bench));
     assert_int_equal(bench->fake.width, 800);
+}
+
+static void another_monitor_came_while_lent(void **state)
+{
+    struct bench *bench = *state;
+    start_on_hdmi(bench);
+    bench->fake.master = false;
+    bench->fake.other_master = true;
+    assert_true(frame(bench));
+    fake_plug(&bench->fake, 1, 1280, 720, 60);
+    attend(bench, 1000, true); /* its modes are not told to those who are not master */
+    bench->fake.other_master = false;
+    attend(bench, KMS_MASTER_US, false);
+    assert_true(frame(bench));
+    assert_int_equal(bench->fake.width, 1280);
 }
 
 static void the_master_is_lost_while_switching_off(void **state)
@@ -410,7 +441,7 @@ static void a_wish_that_cannot_come_true(void **state)
     struct bench *bench = *state;
     fake_plug(&bench->fake, 1, 1920, 1080, 60);
     assert_false(start(bench, (struct kms_wish){.connector = "VGA-1"}));
-    assert_string_equal(bench->error.text, "fake has no connector VGA-1");
+    assert_string_equal(bench->error.text, "fake has no connector VGA-1, but DSI-1, HDMI-A-1, HDMI-A-2");
     kms_screen_finish(&bench->screen);
     assert_false(start(bench, (struct kms_wish){.width = 800, .height = 600, .refresh_mhz = 72000}));
     assert_string_equal(bench->error.text, "HDMI-A-1 has no mode 800x600 at 72 Hz; it has 1920x1080@60 and 0 more");
@@ -439,8 +470,14 @@ static void a_flip_that_never_comes(void **state)
     assert_false(kms_screen_free(&bench->screen));
     attend(bench, 1, false);
     int modesets = bench->fake.modesets;
-    assert_true(frame(bench));
+    kms_screen_present(&bench->screen, 101, bench->now_us);
     assert_int_equal(bench->fake.modesets, modesets + 1);
+    uint64_t presented = bench->screen.frames.presented;
+    bench->fake.token--; /* it does come, now that another is on its way */
+    fake_blank(&bench->fake, bench->now_us);
+    attend(bench, 1, false);
+    assert_false(kms_screen_free(&bench->screen));
+    assert_int_equal(bench->screen.frames.presented, presented);
 }
 
 static void a_busy_kernel_gets_the_frame_later(void **state)
@@ -505,7 +542,7 @@ static void what_was_there_is_put_back(void **state)
     bench->fake.other_master = true;
     assert_true(frame(bench));
     kms_screen_finish(&bench->screen);
-    assert_int_equal(bench->fake.restored, 0);
+    assert_int_equal(bench->fake.restored + bench->fake.denied, 0);
     bench->screen.card = NULL;
 }
 
@@ -563,7 +600,9 @@ int main(void)
         CASE(a_monitor_unplugs_itself_in_its_sleep),
         CASE(another_master_comes_and_goes),
         CASE(another_is_master_from_the_start),
+        CASE(who_may_not_be_master_again_opens_anew),
         CASE(unplugged_while_lent),
+        CASE(another_monitor_came_while_lent),
         CASE(the_master_is_lost_while_switching_off),
         CASE(a_refusal_names_connector_mode_and_property),
         CASE(a_refused_mode_makes_way_for_the_next),

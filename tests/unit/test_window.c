@@ -168,6 +168,10 @@ static void it_follows_its_size(void **state)
     char command[100];
     open_scene(&scene, DISPLAY_WINDOW, 90);
     draw_frames(&scene, 2);
+    GLuint buffer = 0;
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+    assert_captured(&scene);
     snprintf(command, sizeof command, "windowsize --sync %d %d", WIDER, HIGHER);
     use(command);
     for (uint64_t end = display_now_us() + 3000000;
@@ -287,8 +291,17 @@ static void it_hides_fills_the_screen_and_closes(void **state)
     SDL_HideWindow(SDL_GetWindowFromID(1));
     assert_true(await_state(&scene, DISPLAY_LENT));
     assert_false(display_begin(scene.display));
+    uint64_t missed = display_frames(scene.display).missed;
+    SDL_Delay(200);
     SDL_ShowWindow(SDL_GetWindowFromID(1));
     assert_true(await_state(&scene, DISPLAY_SHOWN));
+    turn_loop(&scene);
+    assert_true(display_frames(scene.display).missed - missed < 10); /* nobody could have seen them */
+    glScissor(0, 0, 1, 1);
+    glEnable(GL_SCISSOR_TEST); /* a caller's own affair */
+    draw_frames(&scene, 2);
+    assert_true(glIsEnabled(GL_SCISSOR_TEST));
+    glDisable(GL_SCISSOR_TEST);
     draw_frames(&scene, 2);
     push_key(SDLK_RETURN, 0);
     display_wait(scene.display, 0);
