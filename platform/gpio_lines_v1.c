@@ -46,9 +46,8 @@ static void v1_info(struct gpio_chip *chip, struct gpio_chip_info *info)
 static int v1_line_info(struct gpio_chip *chip, int offset, struct gpio_line_info *info)
 {
     errno = 0;
-    struct gpiod_line *line = gpiod_chip_get_line(chip_of(chip), (unsigned)offset);
-    /* What libgpiod knows of a line is from when it was first asked for. */
-    if (!line || gpiod_line_update(line) != 0) {
+    struct gpiod_line *line = gpiod_chip_get_line(chip_of(chip), (unsigned)offset); /* asks the kernel each time */
+    if (!line) {
         return errno ? errno : ENODEV;
     }
     const char *name = gpiod_line_name(line), *consumer = gpiod_line_consumer(line);
