@@ -17,7 +17,8 @@ struct hid_match {
 /* The first that matches a device counts. It is admitted, whatever it is, and all that it has is heard. */
 struct hid_device_def {
     struct hid_match match;
-    bool refuse;                     /* never open it, whatever it is */
+    bool refuse;   /* never open it, whatever it is */
+    bool keyboard; /* it may be one; else the entry is none for keyboards, whatever they call themselves */
     const struct hid_map_entry *map; /* what the descriptor does not explain */
     int map_count;
 };
