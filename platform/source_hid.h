@@ -39,8 +39,8 @@ struct source_hid_def { /* all of it is copied */
     int device_count;
     const struct hid_lamp_def *lamps;
     int lamp_count;
-    /* Every device whose collections are those of a controller is admitted. Never keyboards, nor what is built into one
-     * housing with a keyboard, nor mice, pens and screens: those want an entry of their own. */
+    /* Every device whose collections are those of a controller is admitted. Never keyboards, nor the
+     * media keys of a keyboard, nor mice, pens and screens: those want an entry of their own. */
     bool controllers;
     bool vendor; /* fields of vendor-defined usages become events as they are: for a look at an unknown board */
 };

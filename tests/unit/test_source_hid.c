@@ -268,21 +268,24 @@ static void test_admission(void **state)
     REPORT(bench, media, 3, 0xe2, 0, 0, 0);
     wait_for_events(bench, 5);
     plug(bench, "keyboard", "Media", NULL, "1-2", 0);
+    plug(bench, "keyboard", "Knob", NULL, "1-9", 1);
+    plug(bench, "tiny_gamepad", "Pad with Keys", NULL, "1-9", 0); /* its keys are refused, it is not */
     wait_for_line(bench, "is a part of a keyboard");
-    wait_for_events(bench, 7);
+    wait_for_events(bench, 8);
     assert_control(&bench->events[5], "Consumer: Mute", 0); /* what it held is released */
     assert_int_equal(bench->events[6].kind, EVENT_LEFT);
+    assert_int_equal(bench->events[7].kind, EVENT_ARRIVED);
     REPORT(bench, media, 3, 0xcd, 0, 0, 0);
     REPORT(bench, 0, 0, 0, 4, 0, 0, 0, 0, 0);
     rest(bench, 400);
-    assert_int_equal(bench->count, 7);
+    assert_int_equal(bench->count, 8);
     REPORT(bench, staff, 0, 0, 4, 0, 0, 0, 0, 0);
-    wait_for_events(bench, 8);
-    assert_control(&bench->events[7], "Keyboard: A", 1);
-    REPORT(bench, knob, 2);
     wait_for_events(bench, 9);
-    assert_control(&bench->events[8], "Consumer: Volume decrement", 1);
-    assert_true(bench->events[8].relative);
+    assert_control(&bench->events[8], "Keyboard: A", 1);
+    REPORT(bench, knob, 2);
+    wait_for_events(bench, 10);
+    assert_control(&bench->events[9], "Consumer: Volume decrement", 1);
+    assert_true(bench->events[9].relative);
 }
 
 static void test_map_and_lamps(void **state)
