@@ -128,8 +128,9 @@ bool display_context_enter(struct display_context *context);
 void display_context_leave(struct display_context *context);
 void display_context_destroy(struct display_context *context); /* takes NULL */
 
-/* A reset of the GPU takes every context with it. Checks without waiting; true from the first time until
- * display_renew. `display_inject_reset` makes believe there was one (tests, and a staff key). */
+/* A reset of the GPU takes every context with it; so does opening the card anew, where another program held it at the
+ * start and has gone. Checks without waiting; true from the first time until display_renew. `display_inject_reset`
+ * makes believe there was one (tests, and a staff key). */
 bool display_lost(struct display *display);
 void display_inject_reset(struct display *display);
 /* Makes a new context in place of a lost one; everything in GL is to be made again. Shared contexts must have been

@@ -62,9 +62,7 @@ static void headless_destroy(struct display *display)
     if (display->own) {
         drop_framebuffer(display);
     }
-    if (display->egl.display != EGL_NO_DISPLAY) {
-        eglTerminate(display->egl.display);
-    }
+    /* Not terminated: EGL gives every headless display of the process the same one. */
     free(display->own);
 }
 

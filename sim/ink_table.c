@@ -4,12 +4,11 @@
 #include <string.h>
 
 enum {
-    NODES = 13,
+    NODES = INK_TABLE_NODES,
     LANES = 4, /* red, green, blue, nothing: one vector a node */
 };
 
-/* Nodes are evenly spaced in u = m / (m + BEND), fine where thin ink changes colour quickly. */
-static const float bend = 0.6f;
+static const float bend = INK_TABLE_BEND;
 
 struct ink_table {
     enum ink_mixing mixing;
@@ -79,6 +78,11 @@ void ink_table_destroy(struct ink_table *table)
         free(table->lattice);
         free(table);
     }
+}
+
+const float *ink_table_lattice(const struct ink_table *table)
+{
+    return table->lattice;
 }
 
 static void mix_cmy(const struct ink_table *table, const float thickness[INK_PALETTE], float rgb[3])

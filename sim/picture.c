@@ -19,11 +19,13 @@ static bool within(int value, int most)
     return value >= 1 && value <= most;
 }
 
-static bool valid(const struct picture_def *def)
+bool picture_valid(const struct picture_def *def)
 {
-    return within(def->width, PICTURE_SIZE_MAX) && within(def->height, PICTURE_SIZE_MAX) &&
-           within(def->cells_x, PICTURE_CELLS_MAX) && within(def->cells_y, PICTURE_CELLS_MAX) &&
-           within(def->threads, PICTURE_THREADS_MAX);
+    bool measured = def->depth_ref >= 0 && def->depth_ref <= 0;
+    bool fixed = def->depth_ref >= PICTURE_DEPTH_LEAST && def->depth_ref <= PICTURE_DEPTH_MOST;
+    return (measured || fixed) && def->follow >= 0 && def->follow <= 1e6f && within(def->width, PICTURE_SIZE_MAX) &&
+           within(def->height, PICTURE_SIZE_MAX) && within(def->cells_x, PICTURE_CELLS_MAX) &&
+           within(def->cells_y, PICTURE_CELLS_MAX) && within(def->threads, PICTURE_THREADS_MAX);
 }
 
 /* Hands out the rows of the pool; with none yet, only counts them. */
@@ -71,17 +73,29 @@ static size_t share_out(struct picture *picture)
     return used;
 }
 
+bool picture_resampler(struct resample *resample, int cells, int pixels, bool smooth)
+{
+    /* Between Mitchell and the B-spline: sharper beads along thin gaps, smoother melts them. */
+    return smooth ? resample_init(resample, cells, pixels, 1, 0)
+                  : resample_init(resample, cells, pixels, 0.65f, 0.175f);
+}
+
+float picture_follow(const struct picture_def *def, float before, float measured)
+{
+    if (def->depth_ref > 0) {
+        return def->depth_ref;
+    }
+    /* 0 before the first picture. */
+    return before > 0 && def->follow > 1 ? before + (measured - before) / def->follow : measured;
+}
+
 static bool init_resamplers(struct picture *picture)
 {
     const struct picture_def *def = &picture->def;
-    /* Between Mitchell and the B-spline: sharper beads along thin gaps, smoother melts them. */
-    const float sharp[2] = {0.65f, 0.175f};
-    const float smooth[2] = {1, 0};
     picture->ring_rows = 0;
     for (int i = 0; i < 2; i++) {
-        const float *kernel = i == 0 ? sharp : smooth;
-        if (!resample_init(&picture->across[i], def->cells_x, def->width, kernel[0], kernel[1]) ||
-            !resample_init(&picture->down[i], def->cells_y, def->height, kernel[0], kernel[1])) {
+        if (!picture_resampler(&picture->across[i], def->cells_x, def->width, i) ||
+            !picture_resampler(&picture->down[i], def->cells_y, def->height, i)) {
             return false;
         }
     }
@@ -91,7 +105,7 @@ static bool init_resamplers(struct picture *picture)
 
 struct picture *picture_create(const struct picture_def *def)
 {
-    if (!valid(def)) {
+    if (!picture_valid(def)) {
         return NULL;
     }
     struct picture *picture = calloc(1, sizeof *picture);
@@ -171,7 +185,7 @@ void picture_draw(struct picture *picture, const struct picture_planes *planes, 
     if (picture->def.plain) {
         share_work(picture, picture_prepare_plain, cell_rows, cell_band);
     } else {
-        picture->depth_ref = picture_depth_ref(picture);
+        picture->depth_ref = picture_follow(&picture->def, picture->depth_ref, picture_depth_ref(picture));
         share_work(picture, picture_prepare_across, cell_rows, cell_band);
         share_work(picture, picture_prepare_down, cell_rows, cell_band);
     }

@@ -20,6 +20,10 @@ enum {
     PICTURE_THREADS_MAX = 64,
 };
 
+/* Range of picture_def.depth_ref; measured, it is not below 0.25. */
+#define PICTURE_DEPTH_LEAST 0.05f
+#define PICTURE_DEPTH_MOST  2.0f
+
 struct picture_def {
     int width, height;      /* pixels, 1..PICTURE_SIZE_MAX */
     int cells_x, cells_y;   /* cells of the planes, 1..PICTURE_CELLS_MAX; stretched to fill the picture */
@@ -27,7 +31,11 @@ struct picture_def {
     enum ink_mixing mixing; /* Kubelka-Munk, or the paper's CMY */
     bool plain;             /* flat, white ground: pigment * clamp(4 * depth), for figures */
     uint32_t seed;          /* of the grain of the paper */
-    int threads;            /* 1..PICTURE_THREADS_MAX, the caller's included */
+    float depth_ref;        /* the depth that counts as well carved, and so the tone of all ink: PICTURE_DEPTH_LEAST..
+                               PICTURE_DEPTH_MOST, or 0: measured in each picture, the 80th percentile over what is carved */
+    float follow; /* pictures in which a measured depth_ref comes 63 % of the way to a new value, 0..1e6: the tone
+                     of a growing painting holds still. 0: a picture depends on its planes alone */
+    int threads;  /* 1..PICTURE_THREADS_MAX, the caller's included */
 };
 
 /* 1280x720 of 1280x720 cells, the first palette, Kubelka-Munk, lit, seed 1, one thread. */

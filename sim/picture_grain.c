@@ -75,15 +75,20 @@ void grain_finish(struct grain *grain)
     *grain = (struct grain){0};
 }
 
-void grain_streaks(const struct grain *grain, int y, int width, float *slope_y)
+float grain_streak_pixels(const struct grain *grain)
 {
     const float length = 90; /* cells */
+    return length * grain->pixels_x;
+}
+
+void grain_streaks(const struct grain *grain, int y, int width, float *slope_y)
+{
     const float thickness = 2.2f;
     const float strength = 0.006f;
     float v = ((float)y + 0.5f) / (grain->pixels_y * thickness);
     int top = (int)v;
     float fy = ease(v - (float)top);
-    float span = length * grain->pixels_x;
+    float span = grain_streak_pixels(grain);
     for (int i = 0; (float)i * span < (float)width; i++) {
         uint32_t seed = grain->seed + 2;
         float left = lattice(i, top, seed) * (1 - fy) + lattice(i, top + 1, seed) * fy;

@@ -19,6 +19,8 @@ struct grain {
 /* `pixels_x`, `pixels_y`: pixels a cell. False when memory is short. */
 bool grain_init(struct grain *grain, uint32_t seed, float pixels_x, float pixels_y);
 void grain_finish(struct grain *grain); /* takes a zeroed one */
+/* Pixels from one end of a streak to the other; streak i begins at pixel (int)(i * that). */
+float grain_streak_pixels(const struct grain *grain);
 /* Slopes of the brush streaks down the picture along row y, `width` of them. */
 void grain_streaks(const struct grain *grain, int y, int width, float *slope_y);
 

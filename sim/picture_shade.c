@@ -49,19 +49,13 @@ static int fetch(const struct picture_worker *worker, int have, int want)
     return have;
 }
 
-/* Direction of the light, to the upper left and towards the eye, and half way between it and the eye. */
-struct light {
-    float x, y, z;
-    float half_x, half_y, half_z;
-};
-
-static struct light light_default(void)
+struct picture_light picture_light(void)
 {
     const float x = -0.6f;
     const float y = -0.7f;
     const float z = 0.75f;
     float length = sqrtf(x * x + y * y + z * z);
-    struct light light = {.x = x / length, .y = y / length, .z = z / length};
+    struct picture_light light = {.x = x / length, .y = y / length, .z = z / length};
     float half = sqrtf(light.x * light.x + light.y * light.y + (light.z + 1) * (light.z + 1));
     light.half_x = light.x / half;
     light.half_y = light.y / half;
@@ -77,8 +71,8 @@ static float difference(const float *row, int x, int width, float scale)
 }
 
 /* Light, gloss and thickness of ink over columns x0..x1. Inner columns only, or the two border columns. */
-static inline void light_columns(struct picture_worker *worker, const struct light *light, int x0, int x1, int y,
-                                 bool border)
+static inline void light_columns(struct picture_worker *worker, const struct picture_light *light, int x0, int x1,
+                                 int y, bool border)
 {
     const struct picture *picture = worker->picture;
     const int width = picture->def.width;
@@ -92,7 +86,7 @@ static inline void light_columns(struct picture_worker *worker, const struct lig
     const float *grain_y = picture->grain.slope_y + (y % GRAIN_TILE) * GRAIN_TILE;
     const float *body = worker->row[LAYER_BODY];
     float *lit = worker->light, *gloss = worker->gloss, *thickness = worker->thickness;
-    const struct light l = *light;
+    const struct picture_light l = *light;
     for (int x = x0; x < x1; x++) {
         float depth = relief[x] > 0 ? relief[x] : 0;
         float gx = border ? difference(relief, x, width, per_x) : (relief[x + 1] - relief[x - 1]) * per_x;
@@ -213,7 +207,7 @@ static int rows_needed(const struct picture *picture, int y)
 static void shade_lit(struct picture_worker *worker, int y0, int y1)
 {
     struct picture *picture = worker->picture;
-    const struct light light = light_default();
+    const struct picture_light light = picture_light();
     int width = picture->def.width;
     int last = picture->def.height - 1;
     int first = y0 > 0 ? y0 - 1 : 0;

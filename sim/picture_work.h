@@ -1,5 +1,5 @@
 /* What the parts of the picture share: planes of cells made once a picture (picture_prepare.c), resampled and shaded
- * row by row (picture_shade.c). Private to picture*.c. */
+ * row by row (picture_shade.c). Private to picture*.c, here and in shaders. */
 #ifndef FROND_PICTURE_WORK_H
 #define FROND_PICTURE_WORK_H
 
@@ -75,7 +75,18 @@ static inline float smooth_between(float low, float high, float x)
     return t * t * (3 - 2 * t);
 }
 
+/* Direction of the light, to the upper left and towards the eye, and half way between it and the eye. */
+struct picture_light {
+    float x, y, z;
+    float half_x, half_y, half_z;
+};
+struct picture_light picture_light(void);
+bool picture_valid(const struct picture_def *def);
 struct blur blur_of(float sigma);
+/* From cells to pixels along one axis; `smooth`: of the layers from LAYER_SMOOTH on. False when memory is short. */
+bool picture_resampler(struct resample *resample, int cells, int pixels, bool smooth);
+/* The depth_ref of a picture from that of the one before (0: none) and the measured one. */
+float picture_follow(const struct picture_def *def, float before, float measured);
 /* The depth that counts as well carved. */
 float picture_depth_ref(const struct picture *picture);
 /* Rows of cells: relief, and what is to be blurred, blurred across. */
