@@ -18,11 +18,28 @@ static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n
                            "      --stats FILE.json  sums, extremes and the figures of the shape\n"
                            "      --seed N           instead of the script's\n"
                            "      --ticks N          instead of the script's\n"
+                           "      --engine KIND      cpu (if left out), gpu, or auto: the faster on this machine.\n"
+                           "                         Only the CPU's repeats a picture to the bit\n"
+                           "      --shaders DIR      shader sources from a folder, for those who work on them\n"
                            "      --threads N        one for each processor if left out; the picture is the same\n"
                            "      --dense            nothing sleeps; the picture is the same\n"
                            "      --help             this\n";
 
-enum { FRAMES = 256, EVERY, FIELDS, STATS, SIZE, SEED, TICKS, THREADS, DENSE, HELP_ASKED, THREADS_MAX = 64 };
+enum {
+    FRAMES = 256,
+    EVERY,
+    FIELDS,
+    STATS,
+    SIZE,
+    SEED,
+    TICKS,
+    THREADS,
+    DENSE,
+    ENGINE,
+    SHADERS,
+    HELP_ASKED,
+    THREADS_MAX = 64
+};
 
 struct order {
     struct render_def def;
@@ -55,6 +72,15 @@ static int take_option(struct order *order, int option)
         break;
     case DENSE:
         def->dense = true;
+        break;
+    case SHADERS:
+        def->shaders = optarg;
+        break;
+    case ENGINE:
+        def->engine = engine_kind_find(optarg);
+        if (def->engine == ENGINE_KINDS) {
+            return wrong("engine", optarg, "one of auto, cpu, gpu");
+        }
         break;
     case EVERY:
         if (!option_whole(optarg, 1, SCRIPT_TICKS_MAX, &def->every)) {
@@ -96,6 +122,7 @@ static bool read_order(int argc, char *argv[], struct order *order, int *status)
         {"fields", required_argument, NULL, FIELDS},   {"stats", required_argument, NULL, STATS},
         {"seed", required_argument, NULL, SEED},       {"ticks", required_argument, NULL, TICKS},
         {"threads", required_argument, NULL, THREADS}, {"dense", no_argument, NULL, DENSE},
+        {"engine", required_argument, NULL, ENGINE},   {"shaders", required_argument, NULL, SHADERS},
         {"help", no_argument, NULL, HELP_ASKED},       {NULL, 0, NULL, 0}};
     int option;
     optind = 0;

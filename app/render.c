@@ -7,16 +7,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "display.h"
 #include "image.h"
-#include "painting.h"
-#include "picture.h"
+#include "limits.h"
+#include "painting_gpu.h"
+#include "script_sheet.h"
 #include "stats.h"
 
 /* Everything a session needs while it runs. */
 struct studio {
     const struct script *script;
     const struct render_def *def;
-    struct painting *painting;
+    struct display *display; /* a GL context without a screen, for the engine of the GPU; NULL: none */
+    struct engine *engine;
     struct picture *picture;
     float *planes; /* depth, solvent, mask, inks, and one to spare */
     uint8_t *rgb;
@@ -28,7 +31,7 @@ enum { PLANE_DEPTH, PLANE_SOLVENT, PLANE_MASK, PLANE_INKS, PLANE_SPARE = PLANE_I
 
 struct render_def render_default_def(void)
 {
-    return (struct render_def){.every = RENDER_EVERY};
+    return (struct render_def){.every = RENDER_EVERY, .engine = ENGINE_CPU};
 }
 
 /* Whether a file of that name can be made: its folder is there, and it is no folder itself. */
@@ -69,18 +72,53 @@ static bool make_folder(const char *path, struct file_error *error)
     return file_fail(error, path, "the folder cannot be made: %s", strerror(errno));
 }
 
-static bool open_painting(struct studio *studio)
+/* A GL context, which the engine of the GPU lives in. */
+static bool open_display(struct studio *studio, struct file_error *error)
 {
-    struct painting_def def = painting_default_def();
-    def.width = studio->script->width;
-    def.height = studio->script->height;
-    def.margin = studio->script->margin;
-    def.seed = (uint32_t)studio->script->seed;
+    struct display_def def = display_default_def();
+    struct display_error reason;
+    def.kind = DISPLAY_HEADLESS;
+    def.width = def.height = 16; /* nothing is shown */
+    studio->display = display_create(&def, &reason);
+    return studio->display || file_fail(error, "the GPU", "%s", reason.text);
+}
+
+static bool open_gpu(struct studio *studio, const struct painting_def *def, const struct shader_folder *folder,
+                     struct file_error *error)
+{
+    struct shader_error reason;
+    studio->engine = engine_gpu_create(def, folder, &reason);
+    return studio->engine || file_fail(error, "the GPU", "%s", reason.text);
+}
+
+static bool short_of_memory(const struct studio *studio, struct file_error *error)
+{
+    return file_fail(error, "the painting", "memory is short for %dx%d cells and %dx%d pixels", studio->script->width,
+                     studio->script->height, studio->width, studio->height);
+}
+
+static bool open_engine(struct studio *studio, struct file_error *error)
+{
+    const struct script *script = studio->script;
+    struct painting_def def = script_painting(script);
+    const struct shader_folder shaders = {studio->def->shaders}, *folder = shaders.path ? &shaders : NULL;
+    enum engine_kind kind = studio->def->engine;
     def.threads = studio->def->threads;
     def.dense = studio->def->dense;
-    def.coefficients = studio->script->coefficients;
-    studio->painting = painting_create(&def);
-    return studio->painting;
+    if (kind == ENGINE_AUTO) {
+        char path[1200];
+        bool have = open_display(studio, error);
+        kind = engine_choose(kind, &def, have ? gpu_limits_renderer() : NULL, folder,
+                             engine_choice_path(path, sizeof path) ? path : NULL)
+                   .kind;
+    } else if (kind == ENGINE_GPU && !open_display(studio, error)) {
+        return false;
+    }
+    if (kind == ENGINE_GPU) {
+        return open_gpu(studio, &def, folder, error);
+    }
+    studio->engine = engine_cpu_create(&def);
+    return studio->engine || short_of_memory(studio, error);
 }
 
 static bool open_picture(struct studio *studio)
@@ -88,19 +126,10 @@ static bool open_picture(struct studio *studio)
     if (!studio->def->picture && !studio->def->frames) {
         return true;
     }
-    struct picture_def def = picture_default_def();
+    struct picture_def def = script_picture(studio->script, studio->width, studio->height);
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     long threads = studio->def->threads ? studio->def->threads : processors;
-    def.width = studio->width;
-    def.height = studio->height;
-    def.cells_x = studio->script->width;
-    def.cells_y = studio->script->height;
-    def.mixing = (enum ink_mixing)studio->script->mode;
-    def.seed = (uint32_t)studio->script->seed;
     def.threads = threads < 1 ? 1 : threads > PICTURE_THREADS_MAX ? PICTURE_THREADS_MAX : (int)threads;
-    for (int i = 0; i < INK_PALETTE; i++) {
-        def.ink[i] = studio->script->inks[i < studio->script->ink_count ? i : 0];
-    }
     studio->picture = picture_create(&def);
     studio->rgb = malloc((size_t)def.width * (size_t)def.height * 3);
     studio->planes = malloc(PLANES * studio->cells * sizeof *studio->planes);
@@ -115,8 +144,8 @@ static float *plane(struct studio *studio, int index)
 static void read_sum(struct studio *studio, enum painting_field a, enum painting_field b, float *sum)
 {
     float *spare = plane(studio, PLANE_SPARE);
-    painting_read(studio->painting, a, sum);
-    painting_read(studio->painting, b, spare);
+    studio->engine->ops->read(studio->engine, a, sum);
+    studio->engine->ops->read(studio->engine, b, spare);
     for (size_t i = 0; i < studio->cells; i++) {
         sum[i] += spare[i];
     }
@@ -128,8 +157,8 @@ static bool write_picture(struct studio *studio, const char *path, struct file_e
                                     .solvent = plane(studio, PLANE_SOLVENT),
                                     .mask = plane(studio, PLANE_MASK)};
     read_sum(studio, PAINTING_ACTIVE, PAINTING_CARVED, plane(studio, PLANE_DEPTH));
-    painting_read(studio->painting, PAINTING_SOLVENT, plane(studio, PLANE_SOLVENT));
-    painting_read(studio->painting, PAINTING_MASK, plane(studio, PLANE_MASK));
+    studio->engine->ops->read(studio->engine, PAINTING_SOLVENT, plane(studio, PLANE_SOLVENT));
+    studio->engine->ops->read(studio->engine, PAINTING_MASK, plane(studio, PLANE_MASK));
     for (int i = 0; i < studio->script->ink_count; i++) {
         float *ink = plane(studio, PLANE_INKS + i);
         read_sum(studio, (enum painting_field)(PAINTING_WET + i), (enum painting_field)(PAINTING_DRY + i), ink);
@@ -149,7 +178,7 @@ static bool write_fields(struct studio *studio, const char *path, struct file_er
     }
     for (int field = 0; field < PAINTING_FIELDS; field++) {
         float *at = values + (size_t)field * studio->cells;
-        painting_read(studio->painting, (enum painting_field)field, at);
+        studio->engine->ops->read(studio->engine, (enum painting_field)field, at);
         names[field] = painting_field_name((enum painting_field)field);
         planes[field] = at;
     }
@@ -164,7 +193,7 @@ static bool write_fields(struct studio *studio, const char *path, struct file_er
 static bool write_frame(struct studio *studio, struct file_error *error)
 {
     const char *folder = studio->def->frames;
-    int64_t tick = painting_ticks(studio->painting);
+    int64_t tick = studio->engine->ops->ticks(studio->engine);
     if (!folder || tick % studio->def->every != 0) {
         return true;
     }
@@ -187,10 +216,10 @@ static bool run_session(struct studio *studio, struct progress *progress, struct
     bool good = true;
     for (int64_t tick = 0; good && tick <= script->ticks; tick++) {
         for (; next < script->action_count && script->actions[next].tick <= tick; next++) {
-            painting_act(studio->painting, &script->actions[next]);
+            studio->engine->ops->act(studio->engine, &script->actions[next]);
         }
         if (tick < script->ticks) {
-            painting_tick(studio->painting);
+            studio->engine->ops->tick(studio->engine);
             good = write_frame(studio, error);
         }
         if (progress) {
@@ -204,7 +233,7 @@ static bool write_end(struct studio *studio, struct file_error *error)
 {
     const struct render_def *def = studio->def;
     return (!def->fields || write_fields(studio, def->fields, error)) &&
-           (!def->stats || stats_write(def->stats, studio->script, studio->painting, error)) &&
+           (!def->stats || stats_write(def->stats, studio->script, studio->engine, error)) &&
            (!def->picture || write_picture(studio, def->picture, error));
 }
 
@@ -219,11 +248,7 @@ bool render(const struct script *script, const struct render_def *def, struct pr
         !make_folder(def->frames, error)) {
         return false;
     }
-    bool good = open_painting(&studio) && open_picture(&studio);
-    if (!good) {
-        file_fail(error, "the painting", "memory is short for %dx%d cells and %dx%d pixels", script->width,
-                  script->height, studio.width, studio.height);
-    }
+    bool good = open_engine(&studio, error) && (open_picture(&studio) || short_of_memory(&studio, error));
     good = good && run_session(&studio, progress, error) && write_end(&studio, error);
     if (progress) {
         progress_end(progress);
@@ -231,6 +256,7 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     free(studio.planes);
     free(studio.rgb);
     picture_destroy(studio.picture);
-    painting_destroy(studio.painting);
+    engine_destroy(studio.engine);
+    display_destroy(studio.display);
     return good;
 }

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "engine_choice.h"
 #include "file.h"
 #include "progress.h"
 #include "script.h"
@@ -17,11 +18,13 @@ struct render_def {
     const char *stats;   /* JSON (stats.h) */
     int every;           /* ticks from one frame to the next, 1 or more */
     int width, height;   /* pixels of the pictures; 0: a pixel a cell */
-    int threads;         /* 0: one for each processor */
-    bool dense;          /* nothing sleeps: the same picture, later */
+    enum engine_kind engine; /* auto: the faster of the two on this machine */
+    const char *shaders;     /* folder of shader sources; NULL: the embedded ones */
+    int threads;             /* of the CPU engine and of the picture; 0: one for each processor */
+    bool dense;              /* nothing sleeps: the same picture, later */
 };
 
-struct render_def render_default_def(void); /* no files, RENDER_EVERY */
+struct render_def render_default_def(void); /* no files, RENDER_EVERY, the CPU engine */
 
 /* Renders. What can be known to fail is found before the first tick: folders that are not there, sizes. False with the
  * reason in `error`; files written until then stay. `progress` may be NULL. */

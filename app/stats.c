@@ -34,9 +34,9 @@ static struct json_object *inks_array(const double *values)
     return array;
 }
 
-static struct json_object *totals_object(const struct painting *painting)
+static struct json_object *totals_object(struct engine *engine)
 {
-    struct painting_totals totals = painting_totals(painting);
+    struct painting_totals totals = engine->ops->totals(engine);
     struct json_object *object = json_object_new_object();
     add_number(object, "solvent", totals.solvent);
     add_number(object, "ink", totals.ink);
@@ -50,11 +50,11 @@ static struct json_object *totals_object(const struct painting *painting)
     return object;
 }
 
-static struct json_object *fields_object(const struct painting *painting, size_t cells, float *plane)
+static struct json_object *fields_object(struct engine *engine, size_t cells, float *plane)
 {
     struct json_object *object = json_object_new_object();
     for (int field = 0; field < PAINTING_FIELDS; field++) {
-        painting_read(painting, (enum painting_field)field, plane);
+        engine->ops->read(engine, (enum painting_field)field, plane);
         double least = plane[0], most = plane[0], sum = 0;
         for (size_t i = 0; i < cells; i++) {
             least = plane[i] < least ? plane[i] : least;
@@ -96,7 +96,7 @@ static struct json_object *shape_object(const struct shape_figures *figures)
     return object;
 }
 
-static bool measure(const struct script *script, const struct painting *painting, float *plane, float *depth,
+static bool measure(const struct script *script, struct engine *engine, float *plane, float *depth,
                     struct shape_figures *figures)
 {
     struct shape_def def = shape_default_def();
@@ -113,8 +113,8 @@ static bool measure(const struct script *script, const struct painting *painting
         }
     }
     def.has_centre = drops == 1;
-    painting_read(painting, PAINTING_CARVED, plane);
-    painting_read(painting, PAINTING_ACTIVE, depth);
+    engine->ops->read(engine, PAINTING_CARVED, plane);
+    engine->ops->read(engine, PAINTING_ACTIVE, depth);
     for (size_t i = 0; i < cells; i++) {
         depth[i] += plane[i];
     }
@@ -130,26 +130,28 @@ static struct json_object *canvas_object(const struct script *script)
     return object;
 }
 
-bool stats_write(const char *path, const struct script *script, const struct painting *painting,
-                 struct file_error *error)
+bool stats_write(const char *path, const struct script *script, struct engine *engine, struct file_error *error)
 {
     size_t cells = (size_t)script->width * (size_t)script->height;
     float *planes = malloc(2 * cells * sizeof *planes);
     struct shape_figures figures;
-    if (!planes || !measure(script, painting, planes, planes + cells, &figures)) {
+    if (!planes || !measure(script, engine, planes, planes + cells, &figures)) {
         free(planes);
         return file_fail(error, path, "memory is short for the figures");
     }
-    char hash[17];
-    snprintf(hash, sizeof hash, "%016" PRIx64, painting_hash(painting));
+    char hash[17] = "";
+    if (engine_cpu_painting(engine)) {
+        snprintf(hash, sizeof hash, "%016" PRIx64, painting_hash(engine_cpu_painting(engine)));
+    }
     struct json_object *root = json_object_new_object();
     json_object_object_add(root, "frond", json_object_new_string(FROND_VERSION));
-    add_whole(root, "seed", (int64_t)painting_get_def(painting).seed);
-    add_whole(root, "ticks", painting_ticks(painting));
-    json_object_object_add(root, "hash", json_object_new_string(hash));
+    json_object_object_add(root, "engine", json_object_new_string(engine->ops->name));
+    add_whole(root, "seed", (int64_t)engine->ops->get_def(engine).seed);
+    add_whole(root, "ticks", engine->ops->ticks(engine));
+    json_object_object_add(root, "hash", hash[0] ? json_object_new_string(hash) : NULL);
     json_object_object_add(root, "canvas", canvas_object(script));
-    json_object_object_add(root, "totals", totals_object(painting));
-    json_object_object_add(root, "fields", fields_object(painting, cells, planes));
+    json_object_object_add(root, "totals", totals_object(engine));
+    json_object_object_add(root, "fields", fields_object(engine, cells, planes));
     json_object_object_add(root, "shape", shape_object(&figures));
     free(planes);
 

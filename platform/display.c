@@ -1,5 +1,6 @@
 #include "display.h"
 
+#include <poll.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,6 +9,7 @@
 
 #include <GLES3/gl31.h>
 
+#include "display_rotation.h"
 #include "display_source.h"
 
 static const char *const KINDS[DISPLAY_KINDS] = {"auto", "kms", "window", "headless"};
@@ -40,23 +42,13 @@ uint64_t display_now_us(void)
 
 void display_post(struct display *display, struct event event)
 {
-    if (display->count == DISPLAY_EVENTS) {
-        display->first = (display->first + 1) % DISPLAY_EVENTS;
-        display->count--;
-    }
-    display->events[(display->first + display->count) % DISPLAY_EVENTS] = event;
-    display->count++;
+    event.source = SOURCE_WINDOW;
+    source_post(&display->queue, &event);
 }
 
 bool display_event(struct display *display, struct event *event)
 {
-    if (display->count == 0) {
-        return false;
-    }
-    *event = display->events[display->first];
-    display->first = (display->first + 1) % DISPLAY_EVENTS;
-    display->count--;
-    return true;
+    return source_take(&display->queue, event);
 }
 
 static bool is_desktop(void)
@@ -65,26 +57,31 @@ static bool is_desktop(void)
     return (wayland && *wayland) || (x11 && *x11);
 }
 
+struct choice {
+    const struct display_source *sources[3];
+    const char *why; /* the first of them is tried first */
+    int count;
+};
+
 /* On a desktop a window, since another program is master of the screen there; else the screen; else memory. */
-static void choose(const struct display_def *def, const struct display_source *sources[3], const char *why[3])
+static struct choice choose(const struct display_def *def)
 {
     static const struct display_source *const ALL[] = {&display_kms, &display_window, &display_headless};
     for (size_t i = 0; i < sizeof ALL / sizeof ALL[0]; i++) {
         if (def->kind == ALL[i]->kind) {
-            sources[0] = ALL[i];
-            why[0] = "asked for";
-            return;
+            return (struct choice){{ALL[i]}, "asked for", 1};
         }
     }
-    int count = 0;
-    if (is_desktop()) {
-        sources[count] = &display_window;
-        why[count++] = "a desktop is running";
+    return is_desktop() ? (struct choice){{&display_window, &display_kms, &display_headless}, "a desktop is running", 3}
+                        : (struct choice){{&display_kms, &display_headless}, "no desktop is running", 2};
+}
+
+static const char *keep(char *place, size_t size, const char *text)
+{
+    if (text) {
+        snprintf(place, size, "%s", text);
     }
-    sources[count] = &display_kms;
-    why[count++] = "no desktop is running";
-    sources[count] = &display_headless;
-    why[count++] = "neither a desktop nor a screen of the board can be had";
+    return text ? place : NULL;
 }
 
 static struct display *try_source(const struct display_def *def, const struct display_source *source, const char *why,
@@ -96,6 +93,8 @@ static struct display *try_source(const struct display_def *def, const struct di
         return NULL;
     }
     display->def = *def;
+    display->def.card = keep(display->card, sizeof display->card, def->card);
+    display->def.connector = keep(display->connector, sizeof display->connector, def->connector);
     display->source = source;
     display->egl.display = EGL_NO_DISPLAY;
     display->egl.context = EGL_NO_CONTEXT;
@@ -108,11 +107,14 @@ static struct display *try_source(const struct display_def *def, const struct di
     return display;
 }
 
-static bool valid(const struct display_def *def, struct display_error *error)
+static bool is_valid(const struct display_def *def, struct display_error *error)
 {
     if (def->width < 0 || def->width > DISPLAY_SIZE_MAX || def->height < 0 || def->height > DISPLAY_SIZE_MAX) {
         return display_fail(error, "a display of %dx%d: 0..%d pixels a side are allowed", def->width, def->height,
                             DISPLAY_SIZE_MAX);
+    }
+    if (def->refresh_mhz < 0 || def->refresh_mhz > DISPLAY_REFRESH_MAX_MHZ) {
+        return display_fail(error, "a display at %d mHz: 0..%d are allowed", def->refresh_mhz, DISPLAY_REFRESH_MAX_MHZ);
     }
     if (def->rotation % 90 != 0 || def->rotation < 0 || def->rotation > 270) {
         return display_fail(error, "a display turned by %d degrees: 0, 90, 180 or 270 are allowed", def->rotation);
@@ -122,16 +124,14 @@ static bool valid(const struct display_def *def, struct display_error *error)
 
 struct display *display_create(const struct display_def *def, struct display_error *error)
 {
-    const struct display_source *sources[3] = {NULL, NULL, NULL};
-    const char *why[3] = {"", "", ""};
     char reasons[sizeof error->text] = "";
     size_t used = 0;
-    if (!valid(def, error)) {
+    if (!is_valid(def, error)) {
         return NULL;
     }
-    choose(def, sources, why);
-    for (int i = 0; i < 3 && sources[i]; i++) {
-        struct display *display = try_source(def, sources[i], why[i], error);
+    struct choice choice = choose(def);
+    for (int i = 0; i < choice.count; i++) {
+        struct display *display = try_source(def, choice.sources[i], i == 0 ? choice.why : reasons, error);
         if (display) {
             return display;
         }
@@ -139,7 +139,7 @@ struct display *display_create(const struct display_def *def, struct display_err
         used += wrote > 0 ? (size_t)wrote : 0;
         used = used < sizeof reasons ? used : sizeof reasons - 1;
     }
-    snprintf(error->text, sizeof error->text, "%s", reasons);
+    memcpy(error->text, reasons, sizeof reasons);
     return NULL;
 }
 
@@ -185,41 +185,41 @@ struct display_size display_sheet(const struct display *display)
     return display->def.rotation % 180 == 0 ? panel : (struct display_size){panel.height, panel.width};
 }
 
-/* Clockwise on the panel: what points up on the sheet points right at 90 degrees. */
 void display_turn(const struct display *display, float turn[4])
 {
-    static const float COSINE[4] = {1, 0, -1, 0}, SINE[4] = {0, 1, 0, -1};
-    float c = COSINE[display->def.rotation / 90], s = SINE[display->def.rotation / 90];
-    turn[0] = c;
-    turn[1] = -s;
-    turn[2] = s;
-    turn[3] = c;
+    rotation_matrix(display->def.rotation, display->flipped, turn);
 }
 
 void display_untouch(const struct display *display, float *x, float *y)
 {
-    float across = *x, down = *y;
-    switch (display->def.rotation) {
-    case 90:
-        *x = down;
-        *y = 1 - across;
-        break;
-    case 180:
-        *x = 1 - across;
-        *y = 1 - down;
-        break;
-    case 270:
-        *x = 1 - down;
-        *y = across;
-        break;
-    default:
-        break;
-    }
+    rotation_untouch(display->def.rotation, x, y);
 }
 
 void display_wait(struct display *display, int timeout_ms)
 {
-    display->source->wait(display, display->count > 0 || display->closed ? 0 : timeout_ms);
+    display->source->wait(display, display->queue.count > 0 || display->closed ? 0 : timeout_ms);
+}
+
+void display_wake_on(struct display *display, const int *fds, int count)
+{
+    display->wake_count = count < DISPLAY_WAKES ? count : DISPLAY_WAKES;
+    memcpy(display->wakes, fds, (size_t)display->wake_count * sizeof fds[0]);
+}
+
+bool display_poll(const struct display *display, const int own[2], int timeout_ms)
+{
+    struct pollfd fds[DISPLAY_WAKES + 2] = {{own[0], POLLIN, 0}, {own[1], POLLIN, 0}};
+    for (int i = 0; i < display->wake_count; i++) {
+        fds[i + 2] = (struct pollfd){display->wakes[i], POLLIN, 0};
+    }
+    if (poll(fds, (nfds_t)display->wake_count + 2, timeout_ms) < 0) {
+        return true; /* a signal: the caller may have to end */
+    }
+    bool woken = false;
+    for (int i = 0; i < display->wake_count; i++) {
+        woken = woken || fds[i + 2].revents != 0;
+    }
+    return woken;
 }
 
 bool display_closed(const struct display *display)
@@ -235,6 +235,8 @@ bool display_begin(struct display *display)
 
 void display_end(struct display *display)
 {
+    display->drawn = true;
+    display->last = display->framebuffer;
     display->source->end(display);
 }
 

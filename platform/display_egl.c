@@ -79,6 +79,9 @@ bool display_egl_context(struct display_egl *egl, bool robust, struct display_er
 bool display_egl_enter(const struct display_egl *egl)
 {
     eglBindAPI(EGL_OPENGL_ES_API);
+    if (eglGetCurrentContext() == egl->context && eglGetCurrentSurface(EGL_DRAW) == egl->surface) {
+        return true; /* making it so again would flush */
+    }
     return eglMakeCurrent(egl->display, egl->surface, egl->surface, egl->context);
 }
 

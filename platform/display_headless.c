@@ -1,30 +1,19 @@
 /* Frames to memory: EGL without any surface. For tests, and for boards without a screen. */
 #include <stdlib.h>
-#include <time.h>
 
 #include <GLES3/gl31.h>
 
+#include "display_canvas.h"
 #include "display_source.h"
 
 struct headless {
-    GLuint colour;
+    struct display_canvas canvas;
     uint64_t next_us; /* of the vertical blank that the last frame waits for */
 };
 
-static bool make_framebuffer(struct display *display)
-{
-    struct headless *headless = display->own;
-    glGenTextures(1, &headless->colour);
-    glBindTexture(GL_TEXTURE_2D, headless->colour);
-    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, display->panel.width, display->panel.height);
-    glGenFramebuffers(1, &display->framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, display->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, headless->colour, 0);
-    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-}
-
 static bool open_context(struct display *display, struct display_error *error)
 {
+    struct headless *headless = display->own;
     struct display_egl *egl = &display->egl;
     if (!display_egl_context(egl, display->def.robust, error)) {
         return false;
@@ -32,9 +21,10 @@ static bool open_context(struct display *display, struct display_error *error)
     if (!display_egl_enter(egl)) {
         return display_fail(error, "headless: the context cannot be made current: %s", display_egl_reason());
     }
-    if (!make_framebuffer(display)) {
+    if (!display_canvas_make(&headless->canvas, display->panel.width, display->panel.height)) {
         return display_fail(error, "headless: no framebuffer of %dx%d", display->panel.width, display->panel.height);
     }
+    display->framebuffer = headless->canvas.framebuffer;
     return true;
 }
 
@@ -60,10 +50,10 @@ static void drop_framebuffer(struct display *display)
 {
     struct headless *headless = display->own;
     if (display->egl.context != EGL_NO_CONTEXT && display_egl_enter(&display->egl)) {
-        glDeleteFramebuffers(1, &display->framebuffer);
-        glDeleteTextures(1, &headless->colour);
+        display_canvas_drop(&headless->canvas);
     }
     display->framebuffer = 0;
+    display->drawn = false;
     display_egl_finish(&display->egl);
 }
 
@@ -72,16 +62,8 @@ static void headless_destroy(struct display *display)
     if (display->own) {
         drop_framebuffer(display);
     }
-    if (display->egl.display != EGL_NO_DISPLAY) {
-        eglTerminate(display->egl.display);
-    }
+    /* Not terminated: EGL gives every headless display of the process the same one. */
     free(display->own);
-}
-
-static void sleep_us(uint64_t us)
-{
-    struct timespec time = {(time_t)(us / 1000000), (long)(us % 1000000) * 1000};
-    nanosleep(&time, NULL);
 }
 
 static void headless_wait(struct display *display, int timeout_ms)
@@ -93,9 +75,8 @@ static void headless_wait(struct display *display, int timeout_ms)
     if (until == UINT64_MAX) { /* dark, and nobody will ever wake it: do not hang the thread */
         until = now + 1000000;
     }
-    if (until > now) {
-        sleep_us(until - now);
-    }
+    static const int NONE[2] = {-1, -1};
+    display_poll(display, NONE, until > now ? (int)((until - now + 999) / 1000) : 0);
 }
 
 static bool headless_begin(struct display *display)
@@ -125,6 +106,8 @@ static void headless_end(struct display *display)
 
 static void headless_power(struct display *display, bool on)
 {
+    struct headless *headless = display->own;
+    headless->next_us = 0; /* what the dark lasted is not missed */
     display->state = on ? DISPLAY_SHOWN : DISPLAY_DARK;
 }
 

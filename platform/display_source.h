@@ -4,8 +4,7 @@
 
 #include "display.h"
 #include "display_egl.h"
-
-enum { DISPLAY_EVENTS = 256 };
+#include "source_queue.h"
 
 struct display;
 
@@ -15,7 +14,7 @@ struct display_source {
     bool (*create)(struct display *display, struct display_error *error);
     void (*destroy)(struct display *display);
     void (*wait)(struct display *display, int timeout_ms);
-    bool (*begin)(struct display *display); /* the context is current */
+    bool (*begin)(struct display *display); /* the context is current; sets and binds framebuffer */
     void (*end)(struct display *display);
     void (*power)(struct display *display, bool on); /* NULL: no such thing */
     bool (*renew)(struct display *display, struct display_error *error);
@@ -29,21 +28,28 @@ struct display {
     enum display_state state;
     struct display_size panel;
     struct display_frames frames;
-    unsigned framebuffer;
+    unsigned framebuffer; /* that is being drawn, or was drawn last */
+    unsigned last;        /* framebuffer that was drawn last */
+    bool drawn;           /* it holds a whole frame */
+    bool flipped;         /* its lowest row is the panel's uppermost */
     bool closed, lost;
-    char why[100];                       /* why this source was taken */
-    char note[160];                      /* what the source says of itself */
-    char text[300];                      /* display_describe */
-    struct event events[DISPLAY_EVENTS]; /* a ring */
-    unsigned first, count;
+    char card[64], connector[32]; /* what def's pointers point to */
+    char why[300];                /* why this source was taken */
+    char note[400];               /* what the source says of itself */
+    char text[800];               /* display_describe */
+    struct source_queue queue;
+    int wakes[DISPLAY_WAKES], wake_count;
 };
 
 /* NULL in a build without it. */
 extern const struct display_source display_kms, display_window, display_headless;
 
 bool display_fail(struct display_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* Dropped, the oldest first, when nobody asks for them. */
+/* Sets the source; the time is the caller's. */
 void display_post(struct display *display, struct event event);
 uint64_t display_now_us(void); /* CLOCK_MONOTONIC */
+/* Waits for two descriptors of the source's own (-1: none) and those of display_wake_on. True when one of the latter is
+ * readable, or a signal has come. */
+bool display_poll(const struct display *display, const int own[2], int timeout_ms);
 
 #endif

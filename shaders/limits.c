@@ -99,3 +99,8 @@ bool gpu_limits_check(struct shader_error *error)
     }
     return gpu_limits_check_with(read_limit, NULL, error);
 }
+
+const char *gpu_limits_renderer(void)
+{
+    return (const char *)glGetString(GL_RENDERER);
+}

@@ -27,4 +27,7 @@ bool gpu_limits_check(struct shader_error *error);
 /* The same with any reader, for tests. */
 bool gpu_limits_check_with(gpu_limit_reader *reader, void *context, struct shader_error *error);
 
+/* The name of the GPU of the current context, as its driver gives it; NULL without one. */
+const char *gpu_limits_renderer(void);
+
 #endif

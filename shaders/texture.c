@@ -16,6 +16,7 @@ struct format {
 /* Filterable: table 8.13 of the GLES 3.1 specification. */
 static const struct format FORMATS[TEXTURE_FORMATS] = {
     [TEXTURE_RGBA32F] = {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16, false},
+    [TEXTURE_RG32F] = {GL_RG32F, GL_RG, GL_FLOAT, 8, false},
     [TEXTURE_R32F] = {GL_R32F, GL_RED, GL_FLOAT, 4, false},
     [TEXTURE_RGBA16F] = {GL_RGBA16F, GL_RGBA, GL_FLOAT, 16, true},
     [TEXTURE_RGBA8] = {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4, true},

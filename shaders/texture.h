@@ -8,6 +8,7 @@
 
 enum texture_format {
     TEXTURE_RGBA32F, /* 4 floats a texel; nearest only */
+    TEXTURE_RG32F,   /* 2 floats; nearest only; no image */
     TEXTURE_R32F,    /* 1 float; nearest only */
     TEXTURE_RGBA16F, /* 4 floats in memory, halves on the GPU */
     TEXTURE_RGBA8,   /* 4 bytes, 0..255 for 0..1 */

@@ -62,14 +62,41 @@ bool ground_copy(struct ground *to, const struct ground *from)
     if (to->def.width != from->def.width || to->def.height != from->def.height || to->def.margin != from->def.margin) {
         return false;
     }
-    size_t cells = (size_t)to->stride * (size_t)to->height;
     to->def = from->def;
-    memcpy(to->maps, from->maps, cells * MAPS * sizeof *to->maps);
-    memcpy(to->stamped, from->stamped, cells * sizeof *to->stamped);
-    memcpy(to->weight, from->weight, cells * sizeof *to->weight);
-    memcpy(to->guide, from->guide, cells * 2 * sizeof *to->guide);
-    memcpy(to->obstacle, from->obstacle, cells * sizeof *to->obstacle);
+    ground_copy_rows(to, from, 0, to->height);
     return true;
+}
+
+void ground_copy_rows(struct ground *to, const struct ground *from, int y0, int y1)
+{
+    size_t first = (size_t)to->stride * (size_t)y0, cells = (size_t)to->stride * (size_t)(y1 - y0);
+    memcpy(to->maps + MAPS * first, from->maps + MAPS * first, MAPS * cells * sizeof *to->maps);
+    memcpy(to->stamped + first, from->stamped + first, cells * sizeof *to->stamped);
+    memcpy(to->weight + first, from->weight + first, cells * sizeof *to->weight);
+    memcpy(to->guide + 2 * first, from->guide + 2 * first, 2 * cells * sizeof *to->guide);
+    memcpy(to->obstacle + first, from->obstacle + first, cells * sizeof *to->obstacle);
+}
+
+float ground_value(const struct ground *ground, enum painting_field field, int x, int y)
+{
+    switch (field) {
+    case PAINTING_GUIDE_U:
+        return (float)ground_guide(ground, 0, y)[x] * UNIT_GUIDE;
+    case PAINTING_GUIDE_V:
+        return (float)ground_guide(ground, 1, y)[x] * UNIT_GUIDE;
+    case PAINTING_MASK:
+        return ground_obstacle(ground, y)[x] ? 1.0f : 0.0f;
+    case PAINTING_ALPHA_A:
+        return (float)ground_map(ground, MAP_ALPHA_A, y)[x] * UNIT_ALPHA_A;
+    case PAINTING_ALPHA_Y:
+        return (float)ground_map(ground, MAP_ALPHA_Y, y)[x] * UNIT_ALPHA_Y;
+    case PAINTING_BETA_A:
+        return (float)ground_map(ground, MAP_BETA_A, y)[x] * UNIT_BETA_A;
+    case PAINTING_S_MAX:
+        return (float)ground_map(ground, MAP_S_MAX, y)[x] * UNIT_S_MAX;
+    default:
+        return (float)ground_map(ground, MAP_XI, y)[x] * UNIT_XI;
+    }
 }
 
 static int clamp_cell(float cell, int count)

@@ -36,10 +36,18 @@ struct ground *ground_create(const struct painting_def *def);
 void ground_destroy(struct ground *ground); /* takes NULL */
 /* Everything but the memory. False when the sheets are not of one size. */
 bool ground_copy(struct ground *to, const struct ground *from);
+/* Rows [y0, y1) alone, between sheets of one size. */
+void ground_copy_rows(struct ground *to, const struct ground *from, int y0, int y1);
 
 /* Does an action's part on the ground; `action` is legal (action_legal). Returns the cells that may now be different,
  * an empty rectangle for none. Setting a coefficient that does not vary over the sheet concerns every cell. */
 struct rectangle ground_act(struct ground *ground, const struct action *action);
+
+/* Whether a coefficient (index into coefficient_keys[]) has a map; setting another one changes no cell of the ground.
+ */
+bool ground_varies(int coefficient);
+/* A field that ground alone determines, PAINTING_GUIDE_U and later, of a cell. */
+float ground_value(const struct ground *ground, enum painting_field field, int x, int y);
 
 /* Maps from the coefficients of now, everywhere; forgets all stamps. */
 void ground_fill(struct ground *ground);

@@ -157,6 +157,19 @@ struct rectangle ground_stamp(struct ground *ground, int x, int y, int brush, fl
     return cells;
 }
 
+bool ground_varies(int coefficient)
+{
+    static const size_t VARYING[] = {offsetof(struct coefficients, alpha_a), offsetof(struct coefficients, alpha_y),
+                                     offsetof(struct coefficients, beta_a),  offsetof(struct coefficients, s_max),
+                                     offsetof(struct coefficients, xi0),     offsetof(struct coefficients, noise),
+                                     offsetof(struct coefficients, weight)};
+    bool varies = false;
+    for (size_t i = 0; i < sizeof VARYING / sizeof VARYING[0]; i++) {
+        varies = varies || coefficient_keys[coefficient].offset == VARYING[i];
+    }
+    return varies;
+}
+
 /* Writes one coefficient of a cell; false for one that does not vary over the sheet. */
 static bool set_local(const struct ground *ground, struct local *local, size_t coefficient, float value, int x, int y)
 {

@@ -26,7 +26,7 @@ static float *row_of(const struct painting *painting, int plane, int y)
 }
 
 _Static_assert(FLUID_SOLVENT == (int)CHECKPOINT_SOLVENT && FLUID_INK == (int)CHECKPOINT_INK &&
-                   FLUID_WET == (int)CHECKPOINT_WET && PATTERN_ACTIVE == CHECKPOINT_ACTIVE - CHECKPOINT_ACTIVE &&
+                   FLUID_WET == (int)CHECKPOINT_WET && PATTERN_ACTIVE == 0 &&
                    PATTERN_CATALYST == CHECKPOINT_CATALYST - CHECKPOINT_ACTIVE &&
                    PATTERN_CARVED == CHECKPOINT_CARVED - CHECKPOINT_ACTIVE,
                "planes of a checkpoint are in the order of kernel.h");

@@ -26,11 +26,6 @@ static float moment(const struct painting *painting, int first, const float weig
     return sum;
 }
 
-static float map_value(const struct painting *painting, enum map map, float unit, int x, int y)
-{
-    return (float)ground_map(painting->ground, map, y)[x] * unit;
-}
-
 static float value_at(const struct painting *painting, enum painting_field field, int x, int y)
 {
     static const float DENSITY[9] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
@@ -56,23 +51,10 @@ static float value_at(const struct painting *painting, enum painting_field field
         return moment(painting, FLUID_INK, MOMENTUM_X, x, y);
     case PAINTING_INK_V:
         return moment(painting, FLUID_INK, MOMENTUM_Y, x, y);
-    case PAINTING_GUIDE_U:
-        return (float)ground_guide(painting->ground, 0, y)[x] * UNIT_GUIDE;
-    case PAINTING_GUIDE_V:
-        return (float)ground_guide(painting->ground, 1, y)[x] * UNIT_GUIDE;
-    case PAINTING_MASK:
-        return ground_obstacle(painting->ground, y)[x] ? 1.0f : 0.0f;
-    case PAINTING_ALPHA_A:
-        return map_value(painting, MAP_ALPHA_A, UNIT_ALPHA_A, x, y);
-    case PAINTING_ALPHA_Y:
-        return map_value(painting, MAP_ALPHA_Y, UNIT_ALPHA_Y, x, y);
-    case PAINTING_BETA_A:
-        return map_value(painting, MAP_BETA_A, UNIT_BETA_A, x, y);
-    case PAINTING_S_MAX:
-        return map_value(painting, MAP_S_MAX, UNIT_S_MAX, x, y);
-    case PAINTING_XI:
-        return map_value(painting, MAP_XI, UNIT_XI, x, y);
     default:
+        if (field >= PAINTING_GUIDE_U) {
+            return ground_value(painting->ground, field, x, y);
+        }
         if (field >= PAINTING_WET && field < PAINTING_DRY) {
             return fluid_row(painting, y)[(size_t)(FLUID_WET + (field - PAINTING_WET)) * stride + (size_t)x];
         }

@@ -166,7 +166,8 @@ present d.png
 
 # run: a session to out/, two pixels a cell, and six pictures of how it grew; their paths on stdout.
 printf 'frond: 1\ncanvas: {width: 32, height: 24}\nticks: 12\n' >small.yaml
-expect 0 run small.yaml
+expect 0 run small.yaml --display none
+quiet
 prints "out/small.png"
 prints "out/small-growth/"
 present out/small.png

@@ -1,0 +1,292 @@
+#include "live.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/signalfd.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "bench.h"
+#include "hands.h"
+#include "image.h"
+#include "limits.h"
+#include "live_care.h"
+#include "live_picture.h"
+#include "script_sheet.h"
+#include "studio.h"
+
+enum {
+    WAIT_MS = 100,        /* for something to happen, at most */
+    NAP_US = 2000,        /* while the next picture is being painted */
+    RENEW_EVERY_MS = 250, /* tries to come back from a lost GPU */
+};
+
+static const double AGAIN_S = 0.25; /* the last picture is presented again: a window may have been uncovered */
+
+struct live {
+    const struct script *script;
+    const struct live_def *def;
+    struct display *display;
+    struct studio *studio;
+    struct live_picture picture;
+    struct live_care care;
+    struct hands hands;
+    struct shader_folder folder;
+    int signals; /* a descriptor that becomes readable when it is time to go */
+    enum display_state state;
+    char described[300]; /* what was said of the display last */
+    double presented_s; /* when a frame was presented last */
+    double second_s;    /* when it was looked after last */
+    bool said_end;
+};
+
+struct live_def live_default_def(void)
+{
+    return (struct live_def){.ticks_per_second = STUDIO_TICKS_PER_SECOND, .governed = true};
+}
+
+static void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void say(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fputs("frond: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+}
+
+/* SIGINT and SIGTERM come as something to read; threads made after this do not see them. */
+static int catch_signals(void)
+{
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    return sigprocmask(SIG_BLOCK, &set, NULL) == 0 ? signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC) : -1;
+}
+
+static void release_signals(int descriptor)
+{
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    if (descriptor >= 0) {
+        close(descriptor);
+    }
+    sigprocmask(SIG_UNBLOCK, &set, NULL);
+}
+
+static bool told_to_go(const struct live *live)
+{
+    struct signalfd_siginfo info;
+    return display_closed(live->display) || read(live->signals, &info, sizeof info) == (ssize_t)sizeof info ||
+           (live->def->frames > 0 && display_frames(live->display).presented >= (uint64_t)live->def->frames);
+}
+
+static void feel(struct live *live)
+{
+    struct event event;
+    struct action actions[HANDS_ACTIONS];
+    while (display_event(live->display, &event)) {
+        int count = hands_feel(&live->hands, &event, actions);
+        for (int i = 0; i < count; i++) {
+            studio_post(live->studio, &actions[i]);
+        }
+    }
+}
+
+/* What has become of the screen, whenever that is another line than before. */
+static void note_state(struct live *live)
+{
+    static const char *const STATES[] = {"shown", "switched off", "no display is connected", "lent to another program"};
+    enum display_state state = display_state(live->display);
+    const char *text = display_describe(live->display);
+    if (state == live->state && strcmp(text, live->described) == 0) {
+        return;
+    }
+    if (state != live->state) {
+        studio_rest(live->studio, state != DISPLAY_SHOWN);
+    }
+    live->state = state;
+    snprintf(live->described, sizeof live->described, "%s", text);
+    say("display: %s%s%s", state == DISPLAY_SHOWN ? "" : STATES[state], state == DISPLAY_SHOWN ? "" : "; ", text);
+}
+
+static void nap(void)
+{
+    struct timespec time = {0, NAP_US * 1000L};
+    nanosleep(&time, NULL);
+}
+
+/* Draws a frame if there is something new to show, or the old one has stood for long. */
+static bool draw(struct live *live)
+{
+    bool fresh;
+    double now = bench_wall_s();
+    if (!display_begin(live->display)) {
+        return true;
+    }
+    const struct fields *fields = studio_newest(live->studio, &fresh);
+    if (!fields || (!fresh && now - live->presented_s < AGAIN_S)) {
+        nap();
+        return true;
+    }
+    struct shader_error error;
+    if (!live_picture_draw(&live->picture, live->display, fields, fresh, &error)) {
+        say("%s", error.text);
+        return false;
+    }
+    display_end(live->display);
+    if (live->def->governed && live->presented_s > 0 && fresh) {
+        const char *line =
+            live_care_frame(&live->care, live->studio, 1000 * (now - live->presented_s), hands_are_down(&live->hands));
+        if (line) {
+            say("%s", line);
+        }
+    }
+    live->presented_s = now;
+    return true;
+}
+
+/* From a lost GPU to the painting on the screen again: a new context, new textures, the engine as the newest checkpoint
+ * has it. */
+static bool recover(struct live *live)
+{
+    struct display_error display_error;
+    struct studio_error error;
+    double start = bench_wall_s();
+    say("GL is lost");
+    live_picture_finish(&live->picture);
+    studio_suspend(live->studio);
+    while (!display_renew(live->display, &display_error)) {
+        if (told_to_go(live)) {
+            return false;
+        }
+        display_wait(live->display, RENEW_EVERY_MS);
+    }
+    if (!studio_resume(live->studio, live->display, &error)) {
+        say("%s", error.text);
+        return false;
+    }
+    say("the painting is back after %.0f ms", 1000 * (bench_wall_s() - start));
+    return true;
+}
+
+/* Once a second: what there is to say, and to decide. */
+static void look_after(struct live *live)
+{
+    double now = bench_wall_s();
+    if (now - live->second_s < 1) {
+        return;
+    }
+    struct studio_report report = studio_report(live->studio);
+    live->second_s = now;
+    if (report.trouble[0]) {
+        say("%s", report.trouble);
+    }
+    if (report.ended && !live->said_end) {
+        live->said_end = true;
+        say("the session has ended at tick %lld", (long long)report.ticks);
+    }
+    live_picture_reload(&live->picture);
+}
+
+static void say_totals(struct live *live)
+{
+    struct studio_report report = studio_report(live->studio);
+    struct display_frames frames = display_frames(live->display);
+    say("%llu frames presented, %llu vertical blanks missed, %lld ticks of %.1f ms",
+        (unsigned long long)frames.presented, (unsigned long long)frames.missed, (long long)report.ticks,
+        report.tick_ms);
+}
+
+static bool write_shot(const struct live *live)
+{
+    struct display_size size = display_sheet(live->display);
+    uint8_t *rgb = live->def->shot ? malloc((size_t)size.width * (size_t)size.height * 3 + 1) : NULL;
+    struct file_error error;
+    bool good = true;
+    if (live->def->shot && !(rgb && display_capture(live->display, rgb))) {
+        say("%s: there is no frame to write", live->def->shot);
+        good = false;
+    } else if (live->def->shot && !image_write_png(live->def->shot, rgb, size.width, size.height, NULL, &error)) {
+        say("%s", error.text);
+        good = false;
+    }
+    free(rgb);
+    return good;
+}
+
+static bool run(struct live *live)
+{
+    bool good = true;
+    while (good && !told_to_go(live)) {
+        display_wait(live->display, WAIT_MS);
+        if (display_lost(live->display)) {
+            good = recover(live);
+            continue;
+        }
+        feel(live);
+        note_state(live);
+        good = draw(live);
+        look_after(live);
+    }
+    return good;
+}
+
+static bool open_studio(struct live *live)
+{
+    char path[1200];
+    struct studio_def def = studio_default_def();
+    struct studio_error error;
+    struct painting_def painting = script_painting(live->script);
+    const struct shader_folder *folder = live->folder.path ? &live->folder : NULL;
+    struct engine_choice choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
+                                                engine_choice_path(path, sizeof path) ? path : NULL);
+    say("%s", choice.why);
+    def.script = live->script;
+    def.engine = choice.kind;
+    def.folder = folder;
+    def.ticks_per_second = live->def->ticks_per_second;
+    def.xray = live->def->xray;
+    def.once = live->def->once;
+    live->studio = studio_create(&def, live->display, &error);
+    if (!live->studio) {
+        say("%s", error.text);
+    }
+    return live->studio;
+}
+
+bool live(const struct script *script, struct display *display, const struct live_def *def)
+{
+    struct live live = {.script = script,
+                        .def = def,
+                        .display = display,
+                        .hands = {.inks = script->ink_count},
+                        .folder = {def->shaders},
+                        .state = display_state(display)};
+    live.signals = catch_signals();
+    live_picture_init(&live.picture, script, def->xray, def->shaders ? &live.folder : NULL);
+    snprintf(live.described, sizeof live.described, "%s", display_describe(display));
+    say("display: %s", live.described);
+    bool good = live.signals >= 0 &&
+                live_care_init(&live.care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
+                open_studio(&live);
+    if (good) {
+        studio_rest(live.studio, live.state != DISPLAY_SHOWN);
+        good = run(&live);
+        say_totals(&live);
+        good = write_shot(&live) && good;
+    }
+    studio_destroy(live.studio);
+    live_picture_finish(&live.picture);
+    live_care_finish(&live.care);
+    release_signals(live.signals);
+    return good;
+}

@@ -1,0 +1,28 @@
+/* A session on a display: what `frond run` does where there is one. */
+#ifndef FROND_LIVE_H
+#define FROND_LIVE_H
+
+#include "display.h"
+#include "engine_choice.h"
+#include "program.h"
+#include "script.h"
+
+struct live_def {
+    enum engine_kind engine;
+    const char *shaders;     /* folder of shader sources, looked at again when they change; NULL: the embedded ones */
+    const char *shot;        /* PNG of the last frame, written at the end; NULL: none */
+    int64_t frames;          /* end after so many; 0: when told to */
+    double ticks_per_second; /* 0: as fast as they come */
+    bool once;               /* the session is painted once and stays; else it begins again and again */
+    bool xray;               /* the layers instead of the picture */
+    bool governed;           /* less is computed where the machine is too slow or too hot */
+};
+
+struct live_def live_default_def(void);
+
+/* Shows the session until the window is closed, SIGINT or SIGTERM comes, or the frames are done. What happens is said
+ * on stderr, a line each. False when it could not begin, or the last frame not be written, with the reason said. The
+ * display stays the caller's. */
+bool live(const struct script *script, struct display *display, const struct live_def *def);
+
+#endif

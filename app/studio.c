@@ -1,0 +1,175 @@
+#include "studio.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "studio_work.h"
+
+struct studio_def studio_default_def(void)
+{
+    return (struct studio_def){.engine = ENGINE_CPU, .ticks_per_second = STUDIO_TICKS_PER_SECOND};
+}
+
+/* Room for two checkpoints: one whole, one in the making. */
+static bool prepare(struct studio *studio)
+{
+    struct painting_def painting = studio_painting(studio, 1);
+    studio->publisher = publisher_create(studio->def.xray);
+    return studio->publisher && (studio->def.engine != ENGINE_GPU || (checkpoint_init(&studio->whole, &painting) &&
+                                                                      checkpoint_init(&studio->partial, &painting)));
+}
+
+/* Starts the thread and waits until it has its engine, or has not. */
+static bool start(struct studio *studio, struct display *display, struct studio_error *error)
+{
+    studio->context = display_share(display);
+    if (!studio->context) {
+        snprintf(error->text, sizeof error->text, "no GL context for the studio can be had");
+        return false;
+    }
+    studio->stop = false;
+    studio->started = STUDIO_STARTING;
+    if (pthread_create(&studio->thread, NULL, studio_work, studio) != 0) {
+        display_context_destroy(studio->context);
+        studio->context = NULL;
+        snprintf(error->text, sizeof error->text, "the studio's thread cannot be started");
+        return false;
+    }
+    pthread_mutex_lock(&studio->lock);
+    while (studio->started == STUDIO_STARTING) {
+        pthread_cond_wait(&studio->changed, &studio->lock);
+    }
+    bool good = studio->started == STUDIO_WORKS;
+    pthread_mutex_unlock(&studio->lock);
+    if (!good) {
+        *error = studio->error;
+        studio_stop(studio);
+    }
+    return good;
+}
+
+void studio_stop(struct studio *studio)
+{
+    if (!studio->context) {
+        return;
+    }
+    pthread_mutex_lock(&studio->lock);
+    studio->stop = true;
+    pthread_cond_broadcast(&studio->changed);
+    pthread_mutex_unlock(&studio->lock);
+    pthread_join(studio->thread, NULL);
+    display_context_destroy(studio->context);
+    studio->context = NULL;
+}
+
+struct studio *studio_create(const struct studio_def *def, struct display *display, struct studio_error *error)
+{
+    struct studio *studio = calloc(1, sizeof *studio);
+    pthread_condattr_t attributes;
+    if (!studio) {
+        snprintf(error->text, sizeof error->text, "memory is short");
+        return NULL;
+    }
+    studio->def = *def;
+    studio->report.scale = studio->scale = 1;
+    studio->report.checkpoint_tick = -1;
+    pthread_mutex_init(&studio->lock, NULL);
+    pthread_condattr_init(&attributes);
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+    pthread_cond_init(&studio->changed, &attributes);
+    pthread_condattr_destroy(&attributes);
+    if (!prepare(studio)) {
+        snprintf(error->text, sizeof error->text, "memory is short for a sheet of %dx%d cells", def->script->width,
+                 def->script->height);
+        studio_destroy(studio);
+        return NULL;
+    }
+    if (!start(studio, display, error)) {
+        studio_destroy(studio);
+        return NULL;
+    }
+    return studio;
+}
+
+void studio_destroy(struct studio *studio)
+{
+    if (!studio) {
+        return;
+    }
+    studio_stop(studio);
+    engine_destroy(studio->kept);
+    publisher_destroy(studio->publisher, false);
+    checkpoint_finish(&studio->whole);
+    checkpoint_finish(&studio->partial);
+    pthread_cond_destroy(&studio->changed);
+    pthread_mutex_destroy(&studio->lock);
+    free(studio);
+}
+
+bool studio_post(struct studio *studio, const struct action *action)
+{
+    if (action->path.count > STUDIO_PATH) {
+        return false;
+    }
+    pthread_mutex_lock(&studio->lock);
+    bool fits = studio->inbox_count < STUDIO_INBOX;
+    if (fits) {
+        struct studio_action *posted = &studio->inbox[studio->inbox_count++];
+        posted->action = *action;
+        posted->copied = true;
+        for (int i = 0; i < action->path.count; i++) {
+            posted->points[i] = action->path.points[i];
+        }
+    }
+    pthread_cond_broadcast(&studio->changed);
+    pthread_mutex_unlock(&studio->lock);
+    return fits;
+}
+
+const struct fields *studio_newest(struct studio *studio, bool *fresh)
+{
+    return publisher_newest(studio->publisher, fresh);
+}
+
+void studio_rest(struct studio *studio, bool rest)
+{
+    pthread_mutex_lock(&studio->lock);
+    studio->rest = rest;
+    pthread_cond_broadcast(&studio->changed);
+    pthread_mutex_unlock(&studio->lock);
+}
+
+void studio_scale(struct studio *studio, float scale)
+{
+    pthread_mutex_lock(&studio->lock);
+    studio->scale = scale;
+    pthread_mutex_unlock(&studio->lock);
+}
+
+struct studio_report studio_report(struct studio *studio)
+{
+    pthread_mutex_lock(&studio->lock);
+    struct studio_report report = studio->report;
+    pthread_mutex_unlock(&studio->lock);
+    return report;
+}
+
+void studio_suspend(struct studio *studio)
+{
+    studio->lost = true;
+    studio_stop(studio);
+    publisher_destroy(studio->publisher, true);
+    studio->publisher = NULL;
+}
+
+bool studio_resume(struct studio *studio, struct display *display, struct studio_error *error)
+{
+    studio->publisher = publisher_create(studio->def.xray);
+    if (!studio->publisher) {
+        snprintf(error->text, sizeof error->text, "memory is short");
+        return false;
+    }
+    studio->lost = false;
+    return start(studio, display, error);
+}

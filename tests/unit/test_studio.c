@@ -1,0 +1,265 @@
+/* The thread that paints: it follows its script, takes what is posted, and keeps the painting through a lost GPU and
+ * another grid (app/studio.h). */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <GLES3/gl31.h>
+
+#include "display.h"
+#include "near.h"
+#include "studio.h"
+
+enum { SIZE = 96, PATIENCE_MS = 8000 };
+
+static const char SCRIPT[] = "frond: 1\n"
+                             "canvas: {width: 96, height: 96}\n"
+                             "ticks: 60\n"
+                             "actions:\n"
+                             "  - {tick: 0, drop: {at: [0.5, 0.5]}}\n"
+                             "  - {tick: 30, drop: {at: [0.2, 0.2]}}\n";
+
+struct place {
+    struct display *display;
+    struct script *script;
+    struct studio *studio;
+};
+
+static int set_up(void **state)
+{
+    struct place *place = calloc(1, sizeof *place);
+    struct display_def def = display_default_def();
+    struct script_def script_def = script_default_def();
+    struct display_error error;
+    struct report report;
+    def.kind = DISPLAY_HEADLESS;
+    def.width = def.height = 16;
+    place->display = display_create(&def, &error);
+    report_init(&report, "studio");
+    place->script = script_parse(SCRIPT, strlen(SCRIPT), ".", &script_def, &report);
+    report_finish(&report);
+    *state = place;
+    return place->display && place->script ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    struct place *place = *state;
+    studio_destroy(place->studio);
+    script_destroy(place->script);
+    display_destroy(place->display);
+    free(place);
+    return 0;
+}
+
+static void nap(void)
+{
+    struct timespec time = {0, 5000000};
+    nanosleep(&time, NULL);
+}
+
+static void open_studio(struct place *place, enum engine_kind engine)
+{
+    struct studio_def def = studio_default_def();
+    struct studio_error error;
+    def.script = place->script;
+    def.engine = engine;
+    def.ticks_per_second = 0;
+    def.once = true;
+    place->studio = studio_create(&def, place->display, &error);
+    if (!place->studio) {
+        fail_msg("%s", error.text);
+    }
+}
+
+static void wait_end(struct place *place)
+{
+    int waited = 0;
+    while (!studio_report(place->studio).ended && waited < PATIENCE_MS) {
+        nap();
+        waited += 5;
+    }
+    assert_int_equal(studio_report(place->studio).ticks, 60);
+    assert_string_equal(studio_report(place->studio).trouble, "");
+}
+
+/* Depth of a cell in the newest fields. */
+static float depth_at(struct place *place, float x, float y)
+{
+    bool fresh;
+    float texel[4] = {-1};
+    GLuint framebuffer;
+    assert_true(display_begin(place->display));
+    const struct fields *fields = studio_newest(place->studio, &fresh);
+    if (!fields) {
+        return -1;
+    }
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, fields->texture[FIELDS_GROUND], 0);
+    assert_int_equal(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    glReadPixels((int)(x * (float)fields->width), (int)(y * (float)fields->height), 1, 1, GL_RGBA, GL_FLOAT, texel);
+    glDeleteFramebuffers(1, &framebuffer);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    return texel[0];
+}
+
+/* The depth there becomes one between these, before patience ends. */
+static void becomes(struct place *place, float x, float y, float least, float most)
+{
+    float depth = -1;
+    for (int waited = 0; waited < PATIENCE_MS; waited += 5) {
+        depth = depth_at(place, x, y);
+        if (depth >= least && depth <= most) {
+            return;
+        }
+        nap();
+    }
+    fail_msg("the depth at %.2f, %.2f stays %.3f", (double)x, (double)y, (double)depth);
+}
+
+static void paints(struct place *place, enum engine_kind engine)
+{
+    open_studio(place, engine);
+    wait_end(place);
+    becomes(place, 0.5f, 0.5f, 0.5f, 3);
+    becomes(place, 0.2f, 0.2f, 0.5f, 3);
+    becomes(place, 0.8f, 0.8f, 0, 0.01f);
+    struct action drop = action_default(ACTION_DROP);
+    drop.at = (struct point){0.8f, 0.8f};
+    drop.has_at = true;
+    assert_true(studio_post(place->studio, &drop)); /* a painting that has ended still takes ink */
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+}
+
+static void the_cpu_paints_the_script_and_what_is_posted(void **state)
+{
+    paints(*state, ENGINE_CPU);
+}
+
+static void the_gpu_paints_the_script_and_what_is_posted(void **state)
+{
+    paints(*state, ENGINE_GPU);
+}
+
+static void comes_back(struct place *place, enum engine_kind engine)
+{
+    struct display_error display_error;
+    struct studio_error error;
+    open_studio(place, engine);
+    wait_end(place);
+    struct action drop = action_default(ACTION_DROP);
+    drop.at = (struct point){0.8f, 0.8f};
+    drop.has_at = true;
+    assert_true(studio_post(place->studio, &drop));
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    display_inject_reset(place->display);
+    assert_true(display_lost(place->display));
+    studio_suspend(place->studio);
+    assert_true(display_renew(place->display, &display_error));
+    assert_false(display_lost(place->display));
+    assert_true(studio_resume(place->studio, place->display, &error));
+    /* What was painted before the newest checkpoint, and what was posted after it. */
+    becomes(place, 0.5f, 0.5f, 0.5f, 3);
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    assert_string_equal(studio_report(place->studio).trouble, "");
+}
+
+static void a_painting_of_the_cpu_survives_a_reset(void **state)
+{
+    comes_back(*state, ENGINE_CPU);
+}
+
+static void a_painting_of_the_gpu_survives_a_reset(void **state)
+{
+    comes_back(*state, ENGINE_GPU);
+}
+
+static void changes_grid(struct place *place, enum engine_kind engine)
+{
+    open_studio(place, engine);
+    wait_end(place);
+    becomes(place, 0.5f, 0.5f, 0.5f, 3);
+    float before = depth_at(place, 0.5f, 0.5f);
+    studio_scale(place->studio, 0.5f);
+    for (int waited = 0; studio_report(place->studio).scale > 0.6f && waited < PATIENCE_MS; waited += 5) {
+        nap();
+    }
+    assert_near(studio_report(place->studio).scale, 0.5, 1e-6);
+    bool fresh;
+    const struct fields *fields = studio_newest(place->studio, &fresh);
+    for (int waited = 0; fields->width != SIZE / 2 && waited < PATIENCE_MS; waited += 5) {
+        nap();
+        fields = studio_newest(place->studio, &fresh);
+    }
+    assert_int_equal(fields->width, SIZE / 2);
+    becomes(place, 0.5f, 0.5f, 0.7f * before, 1.3f * before);
+    becomes(place, 0.8f, 0.8f, 0, 0.01f);
+    assert_string_equal(studio_report(place->studio).trouble, "");
+}
+
+static void a_painting_of_the_cpu_goes_to_another_grid(void **state)
+{
+    changes_grid(*state, ENGINE_CPU);
+}
+
+static void a_painting_of_the_gpu_goes_to_another_grid(void **state)
+{
+    changes_grid(*state, ENGINE_GPU);
+}
+
+static void it_rests_while_nobody_looks(void **state)
+{
+    struct place *place = *state;
+    place->script->ticks = 1000000;
+    open_studio(place, ENGINE_CPU);
+    studio_rest(place->studio, true);
+    for (int i = 0; i < 20; i++) {
+        nap();
+    }
+    int64_t ticks = studio_report(place->studio).ticks;
+    for (int i = 0; i < 20; i++) {
+        nap();
+    }
+    assert_int_equal(studio_report(place->studio).ticks, ticks);
+    studio_rest(place->studio, false);
+    for (int i = 0; i < 40; i++) {
+        nap();
+    }
+    assert_true(studio_report(place->studio).ticks > ticks);
+}
+
+static void paths_are_copied_and_long_ones_refused(void **state)
+{
+    struct place *place = *state;
+    struct point points[STUDIO_PATH + 1] = {{0.5f, 0.5f}, {0.6f, 0.5f}};
+    struct action stroke = action_default(ACTION_BRUSH_SOLVENT);
+    open_studio(place, ENGINE_CPU);
+    stroke.path = (struct action_path){points, 2};
+    assert_true(studio_post(place->studio, &stroke));
+    memset(points, 0xff, sizeof points); /* NaN, should anybody look at them */
+    stroke.path.count = STUDIO_PATH + 1;
+    assert_false(studio_post(place->studio, &stroke));
+    wait_end(place);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(the_cpu_paints_the_script_and_what_is_posted, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_gpu_paints_the_script_and_what_is_posted, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_painting_of_the_cpu_survives_a_reset, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_painting_of_the_gpu_survives_a_reset, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_painting_of_the_cpu_goes_to_another_grid, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_painting_of_the_gpu_goes_to_another_grid, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(it_rests_while_nobody_looks, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(paths_are_copied_and_long_ones_refused, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
