@@ -196,13 +196,14 @@ static void mark(const struct probe *probe)
            now.fds, now.framebuffers);
 }
 
-/* Standard input is read without a buffer, since poll knows of none. */
+/* Standard input is read without a buffer, since poll knows of none. No more than fifty frames a second, also where
+ * there is no vertical blank. */
 static bool stay(struct probe *probe)
 {
     struct pollfd input = {STDIN_FILENO, POLLIN, 0};
     for (;;) {
         turn_loop(probe);
-        if (poll(&input, 1, 0) > 0) {
+        if (poll(&input, 1, 20) > 0) {
             char line[16] = "";
             ssize_t got = read(STDIN_FILENO, line, sizeof line - 1);
             mark(probe);
