@@ -29,6 +29,7 @@ static const char HELP[] =
     "      --once            paint the session once and leave it there; else it begins again and again\n"
     "      --frames N        end after so many frames\n"
     "      --shot FILE.png   the last frame, written at the end\n"
+    "      --full            compute everything, however slow or hot the machine\n"
     "      --xray            the layers of the painting instead of its picture\n"
     "      --shaders DIR     shader sources from a folder, looked at again when they change\n"
     "      --help            this\n";
@@ -88,6 +89,7 @@ enum {
     FRAMES,
     SHOT,
     XRAY,
+    FULL,
     SHADERS,
     HELP_ASKED,
     RATE_MOST = 1000,
@@ -194,6 +196,9 @@ static int take_live_option(struct order *order, int option)
     case SHOT:
         order->live.shot = optarg;
         return -1;
+    case FULL:
+        order->live.governed = false;
+        return -1;
     case XRAY:
         order->live.xray = true;
         return -1;
@@ -259,6 +264,7 @@ static int read_order(int argc, char *argv[], struct order *order)
                                             {"frames", required_argument, NULL, FRAMES},
                                             {"shot", required_argument, NULL, SHOT},
                                             {"xray", no_argument, NULL, XRAY},
+                                            {"full", no_argument, NULL, FULL},
                                             {"shaders", required_argument, NULL, SHADERS},
                                             {"help", no_argument, NULL, HELP_ASKED},
                                             {NULL, 0, NULL, 0}};

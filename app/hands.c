@@ -56,3 +56,13 @@ int hands_feel(struct hands *hands, const struct event *event, struct action act
         return 0;
     }
 }
+
+bool hands_are_down(const struct hands *hands)
+{
+    for (int i = 0; i < HANDS_FINGERS; i++) {
+        if (hands->hand[i].down) {
+            return true;
+        }
+    }
+    return false;
+}

@@ -3,6 +3,8 @@
 #ifndef FROND_HANDS_H
 #define FROND_HANDS_H
 
+#include <stdbool.h>
+
 #include "action.h"
 #include "event.h"
 
@@ -21,5 +23,8 @@ struct hands {
 
 /* Actions for an event, `count` of them; their paths are good until the next call. */
 int hands_feel(struct hands *hands, const struct event *event, struct action actions[HANDS_ACTIONS]);
+
+/* Whether any finger is on the sheet. */
+bool hands_are_down(const struct hands *hands);
 
 #endif

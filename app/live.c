@@ -14,6 +14,7 @@
 #include "hands.h"
 #include "image.h"
 #include "limits.h"
+#include "live_care.h"
 #include "live_picture.h"
 #include "script_sheet.h"
 #include "studio.h"
@@ -32,13 +33,13 @@ struct live {
     struct display *display;
     struct studio *studio;
     struct live_picture picture;
+    struct live_care care;
     struct hands hands;
     struct shader_folder folder;
     int signals; /* a descriptor that becomes readable when it is time to go */
     enum display_state state;
     double presented_s; /* when a frame was presented last */
-    double second_s;
-    uint64_t second_frames;
+    double second_s;    /* when it was looked after last */
     bool said_end;
 };
 
@@ -136,6 +137,13 @@ static bool draw(struct live *live)
         return false;
     }
     display_end(live->display);
+    if (live->def->governed && live->presented_s > 0 && fresh) {
+        const char *line =
+            live_care_frame(&live->care, live->studio, 1000 * (now - live->presented_s), hands_are_down(&live->hands));
+        if (line) {
+            say("%s", line);
+        }
+    }
     live->presented_s = now;
     return true;
 }
@@ -260,7 +268,9 @@ bool live(const struct script *script, struct display *display, const struct liv
     live.signals = catch_signals();
     live_picture_init(&live.picture, script, def->xray, def->shaders ? &live.folder : NULL);
     say("display: %s", display_describe(display));
-    bool good = live.signals >= 0 && open_studio(&live);
+    bool good = live.signals >= 0 &&
+                live_care_init(&live.care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
+                open_studio(&live);
     if (good) {
         studio_rest(live.studio, live.state != DISPLAY_SHOWN);
         good = run(&live);
@@ -269,6 +279,7 @@ bool live(const struct script *script, struct display *display, const struct liv
     }
     studio_destroy(live.studio);
     live_picture_finish(&live.picture, display_lost(display));
+    live_care_finish(&live.care);
     release_signals(live.signals);
     return good;
 }

@@ -63,6 +63,7 @@ struct studio_report {
     double ticks_per_second; /* reached in the last second */
     int64_t checkpoint_tick; /* of the newest checkpoint; -1: none */
     int sessions;            /* begun */
+    bool idle;               /* no tick is wanted: the session is over, or nobody looks */
     bool ended;              /* `once`, and the last tick is done */
     float scale;             /* of the grid now */
     char trouble[200];       /* "" or what has gone wrong in the thread */

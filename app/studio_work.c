@@ -210,6 +210,7 @@ static void measure(struct studio *studio, double began)
     studio->second_ticks++;
     pthread_mutex_lock(&studio->lock);
     studio->report.ticks = session_tick(studio);
+    studio->report.idle = studio->rest || studio->report.ticks >= studio->def.script->ticks;
     studio->report.ended = studio->def.once && studio->report.ticks >= studio->def.script->ticks;
     if (now - studio->second_s >= 1) {
         studio->report.tick_ms = 1000 * studio->busy_s / studio->second_ticks;

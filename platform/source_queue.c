@@ -25,30 +25,61 @@ static bool same_control(const struct event *a, const struct event *b)
            a->slot == b->slot;
 }
 
-/* Motion that a later event of the same finger makes superfluous, or nothing: then the oldest motion. */
-static void make_room(struct source_queue *queue)
+/* Whether nobody misses an event of which the same finger or control has a later one. Ends of the range are kept: they
+ * may be the press and the release of a button. */
+static bool is_passing(const struct event *event)
+{
+    if (event->kind == EVENT_CONTROL) {
+        return event->relative || event->centred || (event->value != 0 && event->value != 1);
+    }
+    return event->kind == EVENT_MOVE;
+}
+
+static bool take_passing(struct source_queue *queue)
 {
     for (unsigned i = 0; i < queue->count; i++) {
         const struct event *event = at(queue, i);
-        for (unsigned j = i + 1; event->kind == EVENT_MOVE && j < queue->count; j++) {
-            if (same_control(event, at(queue, j))) {
+        for (unsigned j = i + 1; is_passing(event) && j < queue->count; j++) {
+            struct event *later = at(queue, j);
+            if (same_control(event, later)) {
+                later->value += event->relative ? event->value : 0;
                 take_out(queue, i);
-                return;
+                return true;
             }
         }
     }
-    /* A value between two others of its control: the last of a control is kept, and steps are added up. */
+    return false;
+}
+
+static bool ends(const struct event *event, const struct event *later)
+{
+    if (event->kind == EVENT_DOWN) {
+        return (later->kind == EVENT_UP || later->kind == EVENT_CANCEL) && later->device == event->device &&
+               later->slot == event->slot;
+    }
+    return event->kind == EVENT_CONTROL && event->value == 1 && same_control(event, later) && later->value == 0;
+}
+
+/* A press and its release, both or neither: what is down for those who listen can always come up. */
+static bool take_pair(struct source_queue *queue)
+{
     for (unsigned i = 0; i < queue->count; i++) {
-        const struct event *event = at(queue, i);
-        for (unsigned j = i + 1; event->kind == EVENT_CONTROL && j < queue->count; j++) {
-            if (same_control(event, at(queue, j))) {
-                at(queue, j)->value += event->relative ? event->value : 0;
+        for (unsigned j = i + 1; j < queue->count; j++) {
+            if (ends(at(queue, i), at(queue, j))) {
+                take_out(queue, j);
                 take_out(queue, i);
-                return;
+                return true;
             }
         }
     }
-    take_out(queue, 0); /* a thousand different things at once: cannot happen with real hands */
+    return false;
+}
+
+static void make_room(struct source_queue *queue)
+{
+    if (!take_passing(queue) && !take_pair(queue)) {
+        take_out(queue, 0); /* a thousand different things at once: cannot happen with real hands */
+    }
 }
 
 void source_post(struct source_queue *queue, const struct event *event)

@@ -1,5 +1,6 @@
-/* What sources have in common: events and log lines that wait to be taken. Releases are never lost: when the queue is
- * full, values of axes that have newer ones go first, then the oldest motion. Private to the sources. */
+/* What sources have in common: events and log lines that wait to be taken. No release is lost: when the queue is
+ * full, motions and values that have newer ones go first (steps are added up), then the oldest press together with its
+ * release. Private to the sources. */
 #ifndef FROND_SOURCE_QUEUE_H
 #define FROND_SOURCE_QUEUE_H
 
@@ -10,7 +11,7 @@ enum { SOURCE_LOG_LINES = 32, SOURCE_LOG_LENGTH = 200 };
 struct source_queue {
     struct event events[SOURCE_EVENTS];
     unsigned first, count;
-    uint64_t dropped; /* motions that nobody took in time */
+    uint64_t dropped; /* events that nobody took in time */
     char lines[SOURCE_LOG_LINES][SOURCE_LOG_LENGTH];
     unsigned line_first, line_count;
 };

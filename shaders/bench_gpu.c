@@ -11,11 +11,11 @@ enum { WARM_TICKS = 12, PASSES = 6, DROPS = 12 };
 
 /* Bytes a cell of one pass. */
 enum {
-    OPENNESS_BYTES = (3 + 1 + 2) * 4,     /* reads the pattern and the obstacles, writes two */
-    FLUID_BYTES = (22 + 2 + 22) * 4,      /* reads all planes and the openness, writes all planes */
-    FLUID_LAST_BYTES = 3 * 4,             /* density read and written, s_max read */
-    PATTERN_READ_BYTES = (3 + 3 + 1) * 4, /* the pattern, three words of ground, the density */
-    PATTERN_WRITTEN_BYTES = 3 * 4,
+    OPENNESS_BYTES = (3 + 1 + 2) * 4,   /* reads the pattern and the obstacles, writes two */
+    FLUID_BYTES = (22 + 2 + 22) * 4,    /* reads all planes and the openness, writes all planes */
+    FLUID_LAST_BYTES = 3 * 4,           /* density read and written, s_max read */
+    PATTERN_STATE_BYTES = 3 * 4,        /* read, and written */
+    PATTERN_GROUND_BYTES = (3 + 1) * 4, /* three words of ground, the density */
 };
 
 /* Floating-point operations a cell, counted in the shaders. */
@@ -58,18 +58,24 @@ static void count_fluids(struct bench_gpu *bench, const struct coefficients *c)
 
 static void count_pattern(struct bench_gpu *bench, const struct coefficients *c)
 {
+    static const int STEPS[GPU_WAYS] = {[GPU_PLAIN] = 1, [GPU_PATCHES] = 4, [GPU_STRIPS] = 2};
+    static const int RIMS[GPU_WAYS] = {[GPU_PLAIN] = 1, [GPU_PATCHES] = GPU_APRON, [GPU_STRIPS] = 2};
     struct bench_gpu_layer *pattern = &bench->layers[BENCH_GPU_PATTERN];
-    int steps = bench->strips ? 2 : 4, rim = bench->strips ? 2 : GPU_APRON;
-    double passes = (double)c->pattern_steps / steps, tile = rim_share(GPU_TILE, GPU_TILE, rim), computed, rated = tile;
-    if (bench->strips) { /* of 8 x 16 cells: the first of two steps goes a cell further, and loads whole pairs */
+    double steps = STEPS[bench->way], passes = c->pattern_steps / steps;
+    double tile = rim_share(GPU_TILE, GPU_TILE, RIMS[bench->way]), computed = 1, rated = 1;
+    if (bench->way == GPU_PATCHES) {
+        computed = steps * tile;
+        rated = tile;
+    } else if (bench->way == GPU_STRIPS) { /* of 8 x 16 cells: the first of two steps goes a cell further */
         computed = 1 + rim_share(8, 16, 1);
         rated = rim_share(8, 16, 2);
-    } else {
-        computed = steps * tile;
     }
     pattern->name = "pattern";
     pattern->steps = c->pattern_steps;
-    pattern->bytes = passes * (tile * PATTERN_READ_BYTES + PATTERN_WRITTEN_BYTES);
+    pattern->bytes = passes * (tile * PATTERN_STATE_BYTES + rated * PATTERN_GROUND_BYTES + PATTERN_STATE_BYTES);
+    if (bench->way == GPU_STRIPS) { /* neighbours' rims of ground are the same words */
+        pattern->bytes = passes * (tile * (PATTERN_STATE_BYTES + PATTERN_GROUND_BYTES) + PATTERN_STATE_BYTES);
+    }
     pattern->operations =
         passes * (computed * PATTERN_OPERATIONS + rated * RATES_OPERATIONS + (double)COMPARE_OPERATIONS);
 }
@@ -100,7 +106,7 @@ static void drop_inks(struct engine *engine)
     }
 }
 
-bool bench_gpu_run(struct bench_gpu *bench, int size, int strips, struct shader_error *error)
+bool bench_gpu_run(struct bench_gpu *bench, int size, enum gpu_way way, struct shader_error *error)
 {
     struct painting_def def = painting_default_def();
     def.width = def.height = size;
@@ -110,10 +116,10 @@ bool bench_gpu_run(struct bench_gpu *bench, int size, int strips, struct shader_
         return false;
     }
     struct painting_gpu *gpu = (struct painting_gpu *)engine;
-    if (strips >= 0) {
-        gpu_steps_prefer_strips(gpu, strips != 0);
+    if (way != GPU_WAYS) {
+        engine_gpu_set_way(engine, way);
     }
-    *bench = (struct bench_gpu){.width = size, .height = size, .strips = gpu_steps_has_strips(gpu)};
+    *bench = (struct bench_gpu){.width = size, .height = size, .way = engine_gpu_way(engine)};
     snprintf(bench->renderer, sizeof bench->renderer, "%s", (const char *)glGetString(GL_RENDERER));
     count_fluids(bench, &def.coefficients);
     count_pattern(bench, &def.coefficients);

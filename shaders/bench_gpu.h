@@ -3,7 +3,7 @@
 #ifndef FROND_BENCH_GPU_H
 #define FROND_BENCH_GPU_H
 
-#include "program.h"
+#include "painting_gpu.h"
 
 enum bench_gpu_layer_kind {
     BENCH_GPU_OPENNESS, /* the list of awake tiles, and the openness of their cells */
@@ -27,12 +27,12 @@ struct bench_gpu_layer {
 struct bench_gpu {
     char renderer[128];
     int width, height; /* cells */
-    bool strips;       /* free ground by pattern_strip.comp: fewer words shared, more fetched */
+    enum gpu_way way;
     struct bench_gpu_layer layers[BENCH_GPU_LAYERS];
 };
 
-/* Default coefficients, a square sheet, twelve drops in four inks, every tile awake, in the current GL context.
- * `strips`: 0 or 1, or -1 for what the engine chooses here. False with the reason in `error`. */
-bool bench_gpu_run(struct bench_gpu *bench, int size, int strips, struct shader_error *error);
+/* Default coefficients, a square sheet, twelve drops in four inks, every tile awake, in the current GL context. `way`:
+ * GPU_WAYS for what the engine chooses here. False with the reason in `error`. */
+bool bench_gpu_run(struct bench_gpu *bench, int size, enum gpu_way way, struct shader_error *error);
 
 #endif

@@ -18,6 +18,16 @@ struct engine *engine_gpu_create(const struct painting_def *def, const struct sh
 /* Compiles the sources of the folder again; with an error the old programs of that part of the engine, and of those
  * after it, stay. */
 bool engine_gpu_reload(struct engine *engine, struct shader_error *error);
+/* How the layers are swept: the same equations, other programs. Each is best somewhere; timing tells where. */
+enum gpu_way {
+    GPU_PLAIN,   /* a cell an invocation, a step a pass: few registers, most memory traffic */
+    GPU_PATCHES, /* four pattern steps a pass, patches of 4 x 4 cells that share their rims: least memory traffic */
+    GPU_STRIPS,  /* strips in registers, no shared memory; for processors, chosen at creation where GL runs on one */
+    GPU_WAYS,
+};
+/* At any time; the engine begins with patches or strips. */
+void engine_gpu_set_way(struct engine *engine, enum gpu_way way);
+enum gpu_way engine_gpu_way(const struct engine *engine);
 /* Writes the visible sheet into the textures; those whose name is 0 are left out. Reads nothing back. */
 void engine_gpu_publish(struct engine *engine, const struct fields *fields);
 

@@ -158,10 +158,6 @@ bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error);
 void gpu_steps_destroy(struct painting_gpu *gpu); /* takes one that has none */
 /* Programs anew; with an error the old ones stay. */
 bool gpu_steps_reload(struct painting_gpu *gpu, struct shader_error *error);
-/* Which program makes the pattern of free ground: pattern_strip.comp, or pattern.comp. The first is chosen where GL
- * runs on the processor. */
-void gpu_steps_prefer_strips(struct painting_gpu *gpu, bool strips);
-bool gpu_steps_has_strips(const struct painting_gpu *gpu);
 /* fluid_steps and pattern_steps of now, no upkeep; gpu->tick goes on by one. Waits for nothing. */
 void gpu_steps_tick(struct painting_gpu *gpu);
 /* The two halves of it, and what comes first in the first of them (the list of tiles and their openness), for those who

@@ -13,6 +13,7 @@
 #include "painting_gpu_state.h"
 
 enum {
+    PLAIN_STEPS = 1,
     PATCH_STEPS = GPU_APRON, /* most pattern steps of a pass: what is wrong at its rim advances a cell a step */
     STRIP_STEPS = 2,         /* of a pass of pattern_strip.comp, always */
 };
@@ -24,6 +25,8 @@ enum steps_program {
     PROGRAM_OPENNESS,
     PROGRAM_FLUID,
     PROGRAM_FLUID_STRIP,
+    PROGRAM_PLAIN,
+    PROGRAM_PLAIN_WHOLE,
     PROGRAM_PATCH,
     PROGRAM_PATCH_WHOLE,
     PROGRAM_STRIP,
@@ -36,13 +39,14 @@ static const struct {
     [PROGRAM_WAKE] = {"wake.comp", NULL},           [PROGRAM_MARK] = {"mark.comp", NULL},
     [PROGRAM_STIR] = {"stir.comp", NULL},           [PROGRAM_OPENNESS] = {"openness.comp", NULL},
     [PROGRAM_FLUID] = {"fluid.comp", NULL},         [PROGRAM_FLUID_STRIP] = {"fluid_strip.comp", NULL},
+    [PROGRAM_PLAIN] = {"pattern_plain.comp", NULL}, [PROGRAM_PLAIN_WHOLE] = {"pattern_plain.comp", "#define WHOLE"},
     [PROGRAM_PATCH] = {"pattern.comp", NULL},       [PROGRAM_PATCH_WHOLE] = {"pattern.comp", "#define WHOLE"},
     [PROGRAM_STRIP] = {"pattern_strip.comp", NULL},
 };
 
 struct gpu_steps {
     unsigned programs[STEPS_PROGRAMS];
-    bool strips; /* free ground by pattern_strip.comp */
+    enum gpu_way way;
 };
 
 static void delete_programs(const unsigned programs[STEPS_PROGRAMS])
@@ -92,18 +96,18 @@ bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error)
     for (int i = 0; i < STEPS_PROGRAMS; i++) {
         gpu->steps->programs[i] = programs[i];
     }
-    gpu->steps->strips = is_processor();
+    gpu->steps->way = is_processor() ? GPU_STRIPS : GPU_PATCHES;
     return true;
 }
 
-void gpu_steps_prefer_strips(struct painting_gpu *gpu, bool strips)
+void engine_gpu_set_way(struct engine *engine, enum gpu_way way)
 {
-    gpu->steps->strips = strips;
+    ((struct painting_gpu *)engine)->steps->way = way;
 }
 
-bool gpu_steps_has_strips(const struct painting_gpu *gpu)
+enum gpu_way engine_gpu_way(const struct engine *engine)
 {
-    return gpu->steps->strips;
+    return ((const struct painting_gpu *)engine)->steps->way;
 }
 
 void gpu_steps_destroy(struct painting_gpu *gpu)
@@ -185,7 +189,7 @@ void gpu_steps_flow(struct painting_gpu *gpu)
 {
     const struct coefficients *c = &gpu->def.coefficients;
     gpu_steps_open(gpu);
-    use(gpu, gpu->steps->strips ? PROGRAM_FLUID_STRIP : PROGRAM_FLUID);
+    use(gpu, gpu->steps->way == GPU_STRIPS ? PROGRAM_FLUID_STRIP : PROGRAM_FLUID);
     glUniform4f(3, c->omega, 1.0f / c->mu, c->gamma, c->delta);
     for (int step = 1; step <= c->fluid_steps; step++) {
         gpu_bind(gpu, BUFFER_FLUID);
@@ -204,18 +208,20 @@ static void set_pattern(const struct painting_gpu *gpu, enum steps_program progr
     use(gpu, program);
     glUniform4f(3, 1.0f - c->dt * c->beta_p, c->dt * c->beta_p, c->dt * c->beta_y, c->seam);
     glUniform4f(4, c->dt * UNIT_ALPHA_A * raw, c->dt * UNIT_BETA_A, c->dt * UNIT_ALPHA_Y * raw, c->delta);
-    if (program == PROGRAM_PATCH_WHOLE) {
+    if (program == PROGRAM_PATCH_WHOLE || program == PROGRAM_PLAIN_WHOLE) {
         glUniform4f(5, weight, whole ? 1.0f / 6 : 0.0f, c->k, 0.5f * (c->dt * c->beta_v));
     }
 }
 
+/* One pass over free and special tiles. A strip makes two steps, no fewer. */
 static void pattern_pass(struct painting_gpu *gpu, int steps, bool last)
 {
-    bool strips = gpu->steps->strips && steps == STRIP_STEPS;
+    enum gpu_way way = gpu->steps->way;
+    bool plain = way == GPU_PLAIN, strips = way == GPU_STRIPS && steps == STRIP_STEPS;
     gpu_bind(gpu, BUFFER_PATTERN);
-    use(gpu, strips ? PROGRAM_STRIP : PROGRAM_PATCH);
+    set_pattern(gpu, plain ? PROGRAM_PLAIN : strips ? PROGRAM_STRIP : PROGRAM_PATCH);
     dispatch(gpu, LIST_FREE, steps, last);
-    use(gpu, PROGRAM_PATCH_WHOLE);
+    set_pattern(gpu, plain ? PROGRAM_PLAIN_WHOLE : PROGRAM_PATCH_WHOLE);
     dispatch(gpu, LIST_SPECIAL, steps, last);
     barrier();
     gpu->pattern_now = 1 - gpu->pattern_now;
@@ -224,12 +230,11 @@ static void pattern_pass(struct painting_gpu *gpu, int steps, bool last)
 void gpu_steps_grow(struct painting_gpu *gpu)
 {
     static const unsigned BITS[3] = {BIT_GROWS, BIT_FED, BIT_ALIVE};
+    static const int MOST[GPU_WAYS] = {
+        [GPU_PLAIN] = PLAIN_STEPS, [GPU_PATCHES] = PATCH_STEPS, [GPU_STRIPS] = STRIP_STEPS};
     const struct coefficients *c = &gpu->def.coefficients;
-    int most = gpu->steps->strips ? STRIP_STEPS : PATCH_STEPS;
+    int most = MOST[gpu->steps->way];
     wake(gpu, BITS, LIST_FREE, LIST_SPECIAL, c->stencil != STENCIL_ISOTROPIC || c->k != 2.0f);
-    set_pattern(gpu, PROGRAM_PATCH);
-    set_pattern(gpu, PROGRAM_PATCH_WHOLE);
-    set_pattern(gpu, PROGRAM_STRIP);
     for (int left = c->pattern_steps; left > 0; left -= most) {
         pattern_pass(gpu, left < most ? left : most, left <= most);
     }

@@ -3,6 +3,7 @@
 // for devices to which registers are cheap and shared memory is dear: processors that draw.
 #include "planes.glsl"
 #include "work.glsl"
+#include "pattern_cell.glsl"
 layout(local_size_x = 8) in; // a tile: four strips, two of them above each other
 
 layout(std430, binding = 0) readonly buffer From
@@ -18,12 +19,6 @@ layout(std430, binding = 2) readonly buffer Sheet
     uvec2 sheet[];
 };
 
-layout(location = 3) uniform vec4 growth;  // 1 - dt beta_p, dt beta_p, dt beta_y, seam
-layout(location = 4) uniform vec4 scales;  // of alpha_a, beta_a, alpha_y in their units, times dt; delta
-
-const float UNIT_XI = 1.0 / 16384.0;
-const float UNIT_S_MAX = 1.0 / 32768.0;
-const float UNIT_WEIGHT = 1.0 / 1020.0;
 const int WIDTH = 8;
 const int HEIGHT = 16;
 
@@ -99,36 +94,24 @@ void step_row(Row up, Row own, Row down, Rates rates, int rim, out Row next)
     }
     for (int i = 1; i < SPAN - 1; i++) {
         if (i >= rim && i < SPAN - rim) {
-            float a = own.a[i], y = own.y[i], p = own.p[i], centre = squares[i];
+            Cell old = Cell(own.a[i], own.y[i], own.p[i]);
             float axes = sums[i] + (squares[i - 1] + squares[i + 1]), diagonals = sums[i - 1] + sums[i + 1];
             float y_axes = (up.y[i] + down.y[i]) + (own.y[i - 1] + own.y[i + 1]);
-            float spread = (axes - 4.0 * centre) + rates.weight[i] * ((diagonals - 2.0 * axes) + 4.0 * centre);
-            float diffused = rates.diffusion[i] * spread;
-            diffused = a + p < (y < growth.w ? 0.05 : -1.0) ? 0.0 : diffused;
-            float a_new = growth.x * a + (diffused + (rates.growth[i] * y) * (a - a * a));
-            float y_step = rates.catalyst[i] * (y_axes - 4.0 * y) - growth.z * (a * y);
-            y_step = abs(y_step) > (a > 0.0 ? 0.0 : 1e-5) ? y_step : 0.0;
-            a_new = a_new > (p > 0.3 ? 1e-5 : 1e-12) ? a_new : 0.0;
-            next.a[i] = min(a_new, 1.5);
-            next.y[i] = max(y + y_step, 0.0);
-            next.p[i] = p + growth.y * a;
+            float d_a = rates.diffusion[i] * laplacian(axes, diagonals, squares[i], rates.weight[i]);
+            float d_y = rates.catalyst[i] * (y_axes - 4.0 * old.y);
+            Cell cell = grown(old, d_a, d_y, rates.growth[i], 0.0);
+            next.a[i] = cell.a;
+            next.y[i] = cell.y;
+            next.p[i] = cell.p;
         }
     }
 }
 
-float open(float depth)
-{
-    return clamp(4.0 * (depth - 0.1), 0.0, 1.0);
-}
-
-uint compare(Row old, Row row, int x0)
+uint compare_row(Row old, Row row, int x0)
 {
     uint bits = 0u;
     for (int i = 2; i < SPAN - 2; i++) {
-        bool spread = row.y[i] != old.y[i], changed = spread || row.a[i] != old.a[i] || row.p[i] != old.p[i];
-        bool other = spread || open(row.a[i] + row.p[i]) != open(old.a[i] + old.p[i]);
-        uint found = (changed ? BIT_GROWS | BIT_CARVED : 0u) | (other ? BIT_OPENED : 0u) |
-                     (row.a[i] != 0.0 ? BIT_ALIVE : 0u);
+        uint found = compare(Cell(old.a[i], old.y[i], old.p[i]), Cell(row.a[i], row.y[i], row.p[i]));
         bits |= x0 + i - 2 < planes.x ? found : 0u;
     }
     return bits;
@@ -171,7 +154,7 @@ void main()
         }
         step_row(first_before, first_own, first_now, rates_before, 2, last);
         if (row >= y0 && row < planes.y) {
-            bits |= compare(before, last, x0);
+            bits |= compare_row(before, last, x0);
             store_row(last, x0, row);
         }
         before = own;

@@ -14,7 +14,7 @@ layout(binding = 0) uniform sampler2D ground;
 layout(binding = 1) uniform sampler2D ink;
 layout(binding = 2) uniform sampler2D blurred;
 layout(rgba16f, binding = 0) writeonly uniform highp image2D matter;  // line - 1/2, body - 1, hollow, wet
-layout(rgba16f, binding = 1) writeonly uniform highp image2D inks;    // optical thickness
+layout(rgba32f, binding = 1) writeonly uniform highp image2D inks;    // optical thickness
 layout(rgba32f, binding = 2) writeonly uniform highp image2D surface; // relief, film, mask (flat: cover, line, mask)
 
 float line_of(float pigment, float carved)

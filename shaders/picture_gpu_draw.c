@@ -90,7 +90,7 @@ static void prepare(const struct picture_gpu *picture, const struct fields *fiel
     take_field(fields, 1, FIELDS_INK);
     take(picture, 2, PICTURE_BLURRED);
     give(picture, 0, PICTURE_MATTER, GL_RGBA16F);
-    give(picture, 1, PICTURE_INKS, GL_RGBA16F);
+    give(picture, 1, PICTURE_INKS, GL_RGBA32F);
     give(picture, 2, PICTURE_SURFACE, GL_RGBA32F);
     dispatch(fields->width, fields->height, 32, 16);
 }
@@ -107,7 +107,7 @@ static void resample_down(const struct picture_gpu *picture)
     take(picture, 2, PICTURE_SURFACE);
     take(picture, 3, PICTURE_WEIGHTS_DOWN);
     give(picture, 0, PICTURE_TALL_MATTER, GL_RGBA16F);
-    give(picture, 1, PICTURE_TALL_INKS, GL_RGBA16F);
+    give(picture, 1, PICTURE_TALL_INKS, GL_RGBA32F);
     give(picture, 2, PICTURE_TALL_SURFACE, GL_RGBA32F);
     give(picture, 3, PICTURE_TALL_MASK, GL_R32F);
     dispatch(width, height, 32, 4);

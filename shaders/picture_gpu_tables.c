@@ -172,10 +172,10 @@ static bool make_layers(struct picture_gpu *picture)
     return make(picture, PICTURE_TONE, of(TEXTURE_RGBA32F, 1, 1), NULL) &&
            make(picture, PICTURE_BLURRED, of(TEXTURE_RGBA32F, x, y), NULL) &&
            make(picture, PICTURE_MATTER, of(TEXTURE_RGBA16F, x, y), NULL) &&
-           make(picture, PICTURE_INKS, of(TEXTURE_RGBA16F, x, y), NULL) &&
+           make(picture, PICTURE_INKS, of(TEXTURE_RGBA32F, x, y), NULL) &&
            make(picture, PICTURE_SURFACE, of(TEXTURE_RGBA32F, x, y), NULL) &&
            make(picture, PICTURE_TALL_MATTER, of(TEXTURE_RGBA16F, x, rows), NULL) &&
-           make(picture, PICTURE_TALL_INKS, of(TEXTURE_RGBA16F, x, rows), NULL) &&
+           make(picture, PICTURE_TALL_INKS, of(TEXTURE_RGBA32F, x, rows), NULL) &&
            make(picture, PICTURE_TALL_SURFACE, of(TEXTURE_RGBA32F, x, rows), NULL) &&
            make(picture, PICTURE_TALL_MASK, of(TEXTURE_R32F, x, rows), NULL) &&
            make(picture, PICTURE_SHEET, sheet, NULL);

@@ -13,7 +13,7 @@ layout(binding = 2) uniform sampler2D surface;
 // Column y: texel 0 the first row of cells, texel 1 + j tap j: sharp, smooth, slope of sharp, slope of smooth.
 layout(binding = 3) uniform sampler2D weights;
 layout(rgba16f, binding = 0) writeonly uniform highp image2D tall_matter;  // line - 1/2, body - 1, hollow, wet
-layout(rgba16f, binding = 1) writeonly uniform highp image2D tall_inks;
+layout(rgba32f, binding = 1) writeonly uniform highp image2D tall_inks;
 layout(rgba32f, binding = 2) writeonly uniform highp image2D tall_surface; // relief, film, their slopes down
 layout(r32f, binding = 3) writeonly uniform highp image2D tall_mask;       // only where anything is masked
 

@@ -24,7 +24,8 @@ const int HEAD_WORDS = HEAD_DISPATCH + LIST_COUNT * CHUNKS_MOST * 3;
 
 layout(location = 1) uniform ivec2 tile_counts; // columns and lines
 
-layout(std430, binding = 3) buffer Tiles
+// Coherent: one invocation of a group reads what another has written (wake.comp).
+layout(std430, binding = 3) coherent buffer Tiles
 {
     uint tiles[];
 };

@@ -59,7 +59,9 @@ static void nothing_is_drawn_by_a_finger_that_is_not_down(void **state)
     assert_int_equal(hands_feel(&hands, &move, actions), 0);
     for (int i = 0; i < 2; i++) {
         struct event down = event_at(EVENT_DOWN, 2, 0.1f, 0.1f), end = event_at(ENDS[i], 2, 0.1f, 0.1f);
+        assert_false(hands_are_down(&hands));
         assert_int_equal(hands_feel(&hands, &down, actions), 1);
+        assert_true(hands_are_down(&hands));
         assert_int_equal(hands_feel(&hands, &end, actions), 0);
         assert_int_equal(hands_feel(&hands, &move, actions), 0);
     }
