@@ -22,7 +22,8 @@ static bool goes_down(const struct event *event)
 
 static bool leaves(const struct event *event)
 {
-    return event->kind == EVENT_UP || event->kind == EVENT_CANCEL || (event->kind == EVENT_CONTROL && event->value == 0);
+    return event->kind == EVENT_UP || event->kind == EVENT_CANCEL ||
+           (event->kind == EVENT_CONTROL && event->value == 0);
 }
 
 static bool same(const struct event *a, const struct event *b)

@@ -1,5 +1,5 @@
-/* A touch that wakes a dark screen must not paint as well: it is swallowed whole. A filter over events, of one source or
- * of several together; it knows fingers and buttons.
+/* A touch that wakes a dark screen must not paint as well: it is swallowed whole. A filter over events, of one source
+ * or of several together; it knows fingers and buttons.
  *
  *     while (source->ops->event(source, &event)) {
  *         if (dark && wakes(&event)) {
@@ -10,8 +10,8 @@
  *     }
  *     while (swallow_owed(&swallow, &event)) { act on it }
  *
- * Begun with nothing down, the next finger or button to go down is swallowed, until it leaves. Begun with something down,
- * it is that. What goes down within SWALLOW_GESTURE_US of the first that was swallowed belongs to it. */
+ * Begun with nothing down, the next finger or button to go down is swallowed, until it leaves. Begun with something
+ * down, it is that. What goes down within SWALLOW_GESTURE_US of the first that was swallowed belongs to it. */
 #ifndef FROND_SWALLOW_H
 #define FROND_SWALLOW_H
 
@@ -25,9 +25,9 @@ struct swallow { /* all zero: passes everything */
         bool swallowed;
         bool owed; /* it was passed when it went down, and must still come up for those who saw that */
     } held[SWALLOW_HELD];
-    int held_count;  /* more at a time are passed as they are */
-    bool begun;      /* the next that goes down is swallowed */
-    bool gesture;    /* there was one: until_us counts */
+    int held_count; /* more at a time are passed as they are */
+    bool begun;     /* the next that goes down is swallowed */
+    bool gesture;   /* there was one: until_us counts */
     uint64_t until_us;
 };
 
