@@ -3,7 +3,7 @@
  * A finger is EVENT_DOWN, _MOVE, _UP; what turns out to be a palm, EVENT_CANCEL. Slots are unique over all devices, the
  * lowest free one first. A mouse is one finger while any of its buttons is down; it has no cursor, begins in the middle
  * of the display and is where it went since. Keys are EVENT_CONTROL of SOURCE_KEY. Times are the kernel's. What a
- * device holds down when it leaves comes up first. Calibration is libinput's: the udev property
+ * device holds down when it leaves comes up or is cancelled first. Calibration is libinput's: the udev property
  * LIBINPUT_CALIBRATION_MATRIX.
  *
  * Holding the seat (`hold`): every device with keys that libinput opens, admitted or not, keyboards, power buttons and
