@@ -8,10 +8,10 @@
 
 const struct legend_text legend_texts[XRAY_LAYERS] = {
     [XRAY_CATALYST] = {"Catalyst", "food of growth"},
-    [XRAY_ACTIVE] = {"Active pattern", "where it grows now"},
-    [XRAY_CARVED] = {"Carved pattern", "depth"},
+    [XRAY_ACTIVE] = {"Active", "where it grows now"},
+    [XRAY_CARVED] = {"Carved", "depth"},
     [XRAY_SOLVENT] = {"Solvent", "density"},
-    [XRAY_VELOCITY] = {"Solvent flow", "cells a step, by density"},
+    [XRAY_VELOCITY] = {"Solvent flow", "momentum"},
     [XRAY_GUIDANCE] = {"Guidance", "direction of growth"},
 };
 

@@ -39,8 +39,8 @@ struct live {
     int signals; /* a descriptor that becomes readable when it is time to go */
     enum display_state state;
     char described[300]; /* what was said of the display last */
-    double presented_s; /* when a frame was presented last */
-    double second_s;    /* when it was looked after last */
+    double presented_s;  /* when a frame was presented last */
+    double second_s;     /* when it was looked after last */
     bool said_end;
 };
 

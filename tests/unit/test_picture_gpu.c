@@ -14,7 +14,10 @@
 #include "bench_picture_gpu.h"
 #include "picture_case.h"
 
-enum { ALLOWED = 2 };
+enum {
+    ALLOWED = 2,
+    SAME_PERCENT = 90, /* of the channels of any picture of some size: a dither of its own leaves far fewer */
+};
 
 static struct picture_def def_of(const struct picture_case *subject, int width, int height)
 {
@@ -43,6 +46,9 @@ static void hold_together(const struct picture_case *subject, const struct pictu
         const uint8_t *b = gpu + 3 * (difference.y * def->width + difference.x);
         fail_msg("%s: at %d, %d of %dx%d %d %d %d by the CPU, %d %d %d by the GPU", what, difference.x, difference.y,
                  def->width, def->height, a[0], a[1], a[2], b[0], b[1], b[2]);
+    }
+    if (def->width * def->height > 400 && (double)difference.count[0] < SAME_PERCENT * channels) {
+        fail_msg("%s: only %g %% of the channels are the same", what, (double)difference.count[0] / channels);
     }
     free(cpu);
     free(gpu);

@@ -211,6 +211,15 @@ static void test_keys_are_controls(void **state)
     expect_nothing(bench);
 }
 
+/* xorshift32, Marsaglia 2003: 0..below - 1. */
+static unsigned chance(uint32_t *state, unsigned below)
+{
+    *state ^= *state << 13;
+    *state ^= *state >> 17;
+    *state ^= *state << 5;
+    return *state % below;
+}
+
 /* A minute of a thousand reports a second; who listens takes a nap of seconds now and then. */
 static void test_storm_loses_no_release(void **state)
 {
@@ -218,16 +227,16 @@ static void test_storm_loses_no_release(void **state)
     enum { SCREENS = 3, TOUCHES = 10 };
     bool down[SCREENS][TOUCHES] = {{0}}, seen[TOUCH_FINGERS] = {0};
     unsigned strokes = 0, nap = 0;
-    srand(5);
+    uint32_t random = 5;
     for (unsigned i = 0; i < 60000; i++) {
-        int screen = rand() % SCREENS, touch = rand() % TOUCHES;
+        int screen = (int)chance(&random, SCREENS), touch = (int)chance(&random, TOUCHES);
         bool *is = &down[screen][touch];
-        enum touch_report_kind kind = !*is          ? TOUCH_REPORT_DOWN
-                                      : rand() % 8  ? TOUCH_REPORT_MOVE
-                                      : rand() % 10 ? TOUCH_REPORT_UP
-                                                    : TOUCH_REPORT_CANCEL;
+        enum touch_report_kind kind = !*is                  ? TOUCH_REPORT_DOWN
+                                      : chance(&random, 8)  ? TOUCH_REPORT_MOVE
+                                      : chance(&random, 10) ? TOUCH_REPORT_UP
+                                                            : TOUCH_REPORT_CANCEL;
         *is = kind == TOUCH_REPORT_DOWN || kind == TOUCH_REPORT_MOVE;
-        feel(bench, kind, (uint32_t)screen + 1, touch, (float)(rand() % 1000) / 1000, .5f);
+        feel(bench, kind, (uint32_t)screen + 1, touch, (float)(chance(&random, 1000)) / 1000, .5f);
         if (i % 10000 == 9999) { /* all leave at once */
             for (uint32_t device = 1; device <= SCREENS; device++) {
                 feel(bench, TOUCH_REPORT_GONE, device, 0, 0, 0);

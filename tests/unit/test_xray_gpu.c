@@ -101,7 +101,7 @@ static void fill(struct fields *fields)
     }
     for (int i = 0; i < CELLS; i++) {
         texels[FIELDS_GROUND][4 * i + 1] = 0.5f * xray_scales[XRAY_SOLVENT].high;
-        texels[FIELDS_GROUND][4 * i + 2] = i % CELLS_X < 4 && i / CELLS_X < 4 ? 1 : 0;
+        texels[FIELDS_GROUND][4 * i + 2] = i % CELLS_X >= CELLS_X - 4 && i / CELLS_X >= CELLS_Y - 4 ? 1 : 0;
         texels[FIELDS_GROUND][4 * i + 3] = 0.25f * xray_scales[XRAY_CATALYST].high;
         texels[FIELDS_PATTERN][4 * i] = 0.75f * xray_scales[XRAY_ACTIVE].high;
         texels[FIELDS_PATTERN][4 * i + 1] = 2 * xray_scales[XRAY_CARVED].high;
@@ -131,8 +131,8 @@ static uint8_t *present(const struct xray_gpu *xray, struct display *display, in
 
 static void check_colour(const uint8_t *rgb, int width, const struct xray_box *box, const uint8_t want[3])
 {
-    /* A pixel off the middle of every square of arrows. */
-    const uint8_t *pixel = rgb + 3 * ((size_t)(box->y + box->height - 2) * (size_t)width + (size_t)(box->x + 1));
+    /* The corner of a square, in the middle of which an arrow stands. */
+    const uint8_t *pixel = rgb + 3 * ((size_t)box->y * (size_t)width + (size_t)box->x);
     for (int c = 0; c < 3; c++) {
         assert_in_range(pixel[c], want[c] > 3 ? want[c] - 3 : 0, want[c] + 3);
     }
@@ -165,7 +165,8 @@ static void layers_in_their_colours(int width, int height, int rotation)
     assert_memory_equal(rgb, xray_ground, 3);
     /* The obstacle: grey. */
     const struct xray_box *box = &panels[XRAY_CARVED].image;
-    const uint8_t *pixel = rgb + 3 * ((size_t)(box->y + 2) * (size_t)width + (size_t)(box->x + 2));
+    const uint8_t *pixel =
+        rgb + 3 * ((size_t)(box->y + box->height - 3) * (size_t)width + (size_t)(box->x + box->width - 3));
     assert_true(pixel[0] == pixel[1] && pixel[1] == pixel[2] && pixel[0] > 60 && pixel[0] < 120);
     free(rgb);
     assert_true(xray_gpu_reload(xray, &error));

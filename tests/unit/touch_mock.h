@@ -20,18 +20,18 @@ void touch_mock_destroy(struct touch_mock *mock);
 /* `matrix`: LIBINPUT_CALIBRATION_MATRIX; NULL: none. `bus`: BUS_... Returns the number of its node, /dev/input/eventN.
  */
 int touch_mock_plug(struct touch_mock *mock, enum touch_mock_kind kind, const char *name, const char *matrix, int bus);
-void touch_mock_announce(struct touch_mock *mock, int node); /* to those who are listening already */
-void touch_mock_unplug(struct touch_mock *mock, int node);
-void touch_mock_forbid(struct touch_mock *mock, int node, unsigned mode); /* who may open it */
-void touch_mock_open_to_all(struct touch_mock *mock);                     /* the mock itself, to any user */
+void touch_mock_announce(struct touch_mock *mock, int number); /* to those who are listening already */
+void touch_mock_unplug(struct touch_mock *mock, int number);
+void touch_mock_forbid(struct touch_mock *mock, int number, unsigned mode); /* who may open it */
+void touch_mock_open_to_all(struct touch_mock *mock);                       /* the mock itself, to any user */
 
 /* A report: those values, and then a SYN_REPORT, all of that time. */
 struct touch_mock_value {
     int type, code, value;
 };
-void touch_mock_report(struct touch_mock *mock, int node, unsigned long time_us, const struct touch_mock_value *values,
-                       int count);
+void touch_mock_report(struct touch_mock *mock, int number, unsigned long time_us,
+                       const struct touch_mock_value *values, int count);
 
-int touch_mock_grabs(struct touch_mock *mock, int node); /* how often it was grabbed */
+int touch_mock_grabs(struct touch_mock *mock, int number); /* how often it was grabbed */
 
 #endif
