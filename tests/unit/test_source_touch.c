@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include <errno.h>
+#include <grp.h>
 #include <linux/input.h>
 #include <poll.h>
 #include <stdio.h>
@@ -244,9 +245,10 @@ static void test_only_what_is_admitted(void **state)
 static void test_no_permission_says_what_to_do(void **state)
 {
     struct bench *bench = *state;
-    if (geteuid() != 0) {
+    if (geteuid() != 0 || seteuid(65534) != 0) { /* there is nobody else in this namespace */
         skip();
     }
+    assert_int_equal(seteuid(0), 0);
     touch_mock_plug(bench->mock, MOCK_SCREEN, "Glass", NULL, BUS_USB);
     touch_mock_open_to_all(bench->mock);
     touch_mock_forbid(bench->mock, 0, 0600);
@@ -267,7 +269,8 @@ static void test_no_permission_names_the_group(void **state)
     (void)state;
     struct stat status;
     char text[160];
-    if (stat("/etc/shadow", &status) != 0 || status.st_gid == 0 || !(status.st_mode & S_IRGRP)) {
+    const struct group *group = getgrnam("shadow");
+    if (!group || stat("/etc/shadow", &status) != 0 || status.st_gid != group->gr_gid || !(status.st_mode & S_IRGRP)) {
         skip();
     }
     touch_device_explain(text, sizeof text, "/etc/shadow", EACCES);
