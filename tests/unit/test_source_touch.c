@@ -263,6 +263,19 @@ static void test_no_permission_says_what_to_do(void **state)
     assert_int_not_equal(bench->source->ops->timeout_ms(bench->source), -1);
 }
 
+static void test_a_touchpad_is_no_screen(void **state)
+{
+    struct bench *bench = *state;
+    int decoy = touch_mock_plug(bench->mock, MOCK_DECOY, "Decoy", NULL, BUS_USB);
+    int glass = touch_mock_plug(bench->mock, MOCK_SCREEN, "Glass", NULL, BUS_USB);
+    listen(bench, &(struct source_touch_def){.touchscreens = true});
+    expect_presence(bench, EVENT_ARRIVED);
+    expect_line(bench, "pointer 'Decoy' (1209:0010, /dev/input/event0) is not admitted");
+    put_down(bench, decoy, 0, 100, 100, source_now_us());
+    put_down(bench, glass, 0, 200, 200, source_now_us());
+    expect(bench, EVENT_DOWN, 0, .2f, .2f);
+}
+
 /* Of a file that belongs to a group of its own, as /dev/input/event0 does. */
 static void test_no_permission_names_the_group(void **state)
 {
@@ -286,6 +299,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_swallowed, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_unplugged_and_plugged_in_again, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_only_what_is_admitted, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_touchpad_is_no_screen, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_no_permission_says_what_to_do, set_up, tear_down),
         cmocka_unit_test(test_no_permission_names_the_group),
     };

@@ -119,7 +119,7 @@ static void fill_keys(unsigned char *bits, enum touch_mock_kind kind)
 
 static void fill_bits(unsigned char *bits, enum touch_mock_kind kind, unsigned type)
 {
-    bool surface = kind == MOCK_SCREEN || kind == MOCK_PAD;
+    bool surface = kind != MOCK_MOUSE && kind != MOCK_KEYBOARD;
     if (type == 0) {
         SET(bits, EV_SYN, EV_KEY);
         set(bits, surface ? EV_ABS : kind == MOCK_MOUSE ? EV_REL : EV_KEY);
@@ -154,7 +154,7 @@ static bool fill(const struct node *node, unsigned number, unsigned char *bytes,
     } else if (number == _IOC_NR(EVIOCGNAME(0))) {
         snprintf((char *)bytes, size, "%s", node->name);
     } else if (number == _IOC_NR(EVIOCGPROP(0))) {
-        if (node->kind == MOCK_SCREEN || node->kind == MOCK_PAD) {
+        if (node->kind != MOCK_MOUSE && node->kind != MOCK_KEYBOARD) {
             set(bytes, node->kind == MOCK_SCREEN ? INPUT_PROP_DIRECT : INPUT_PROP_POINTER);
         }
     } else if (number >= _IOC_NR(EVIOCGBIT(0, 0)) && number < _IOC_NR(EVIOCGBIT(EV_MAX, 0))) {
@@ -261,7 +261,7 @@ static void make_record(int number)
 int touch_mock_plug(struct touch_mock *mock, enum touch_mock_kind kind, const char *name, const char *matrix, int bus)
 {
     static const char *const tags[] = {"ID_INPUT_TOUCHSCREEN", "ID_INPUT_TOUCHPAD", "ID_INPUT_MOUSE",
-                                       "ID_INPUT_KEYBOARD"};
+                                       "ID_INPUT_KEYBOARD", "ID_INPUT_TOUCHSCREEN"};
     char text[1000], calibration[100] = "", path[32];
     if (mock->count == TOUCH_MOCK_NODES) {
         abort();
@@ -278,9 +278,9 @@ int touch_mock_plug(struct touch_mock *mock, enum touch_mock_kind kind, const ch
              "A: id/bustype=%04x\\n\nA: id/vendor=1209\\n\nA: id/product=0010\\n\nA: properties=%d\\n\n"
              "A: phys=mock-%s/input0\\n\n\n",
              number, name, name, (unsigned)bus,
-             kind == MOCK_SCREEN ? 2
-             : kind == MOCK_PAD  ? 1
-                                 : 0,
+             kind == MOCK_SCREEN                      ? 2
+             : kind == MOCK_PAD || kind == MOCK_DECOY ? 1
+                                                      : 0,
              name);
     add(mock, text);
     if (matrix) {

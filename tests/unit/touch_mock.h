@@ -4,7 +4,8 @@
 
 #include <stdbool.h>
 
-enum touch_mock_kind { MOCK_SCREEN, MOCK_PAD, MOCK_MOUSE, MOCK_KEYBOARD };
+/* A decoy is a touchpad that udev takes for a screen. */
+enum touch_mock_kind { MOCK_SCREEN, MOCK_PAD, MOCK_MOUSE, MOCK_KEYBOARD, MOCK_DECOY };
 
 enum { TOUCH_MOCK_NODES = 8, TOUCH_MOCK_SIZE = 1000 }; /* screens are of that many units each way */
 
