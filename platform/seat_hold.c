@@ -41,6 +41,9 @@ static void hold_console(struct seat_hold *hold, const char *path)
         return;
     }
     hold->console = fd;
+    if (hold->mode == K_OFF) { /* left behind by one that was killed */
+        hold->mode = K_UNICODE;
+    }
 }
 
 struct seat_hold *seat_hold_create(const char *console, struct source_queue *queue)

@@ -15,7 +15,7 @@
  * ignore does), what acpid hears from ACPI itself, a power button held down for seconds, which is hardware's, programs
  * that change the VT, a keyboard that another program has grabbed, devices of other seats and those that udev hides
  * from libinput (LIBINPUT_IGNORE_DEVICE, no ID_INPUT). A process that is killed leaves the console without keys:
- * TTYReset=yes in its unit mends that, or kbd_mode -u. */
+ * TTYReset=yes in its unit mends that, or kbd_mode -u, or the next Frond when it ends. */
 #ifndef FROND_SOURCE_TOUCH_H
 #define FROND_SOURCE_TOUCH_H
 
