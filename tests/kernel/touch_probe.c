@@ -3,12 +3,16 @@
  *     touch_probe [--rotation DEGREES] [--hold CONSOLE] [--pointers] [--staff NAME]
  *
  * Keyboards of that name are bound with F1. Standard input: "devices", "swallow", "count", "quiet" and "loud" (fingers
- * are counted, or printed too), "nap" (a second without listening), "quit". */
+ * are counted, or printed too), "nap" (a second without listening), "console" (what the VT in front makes
+ * of keys: 4 is nothing), "quit". */
+#include <fcntl.h>
 #include <linux/input-event-codes.h>
+#include <linux/kd.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "source_queue.h"
@@ -94,6 +98,16 @@ static void say_devices(const struct source *source)
     printf("listed all\n");
 }
 
+static void say_console(void)
+{
+    int mode = -1, fd = open("/dev/tty0", O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (fd < 0 || ioctl(fd, KDGKBMODE, &mode) != 0) {
+        perror("touch_probe: /dev/tty0");
+    }
+    close(fd);
+    printf("console mode %d\n", mode);
+}
+
 /* False: to end. */
 static bool obey(struct source *source, struct seen *seen)
 {
@@ -109,6 +123,8 @@ static bool obey(struct source *source, struct seen *seen)
         printf("downs %u left %u twice %u\n", seen->downs, seen->left, seen->twice);
     } else if (strncmp(text, "quiet", 5) == 0 || strncmp(text, "loud", 4) == 0) {
         seen->quiet = text[0] == 'q';
+    } else if (strncmp(text, "console", 7) == 0) {
+        say_console();
     } else if (strncmp(text, "nap", 3) == 0) {
         sleep(1);
     }
