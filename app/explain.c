@@ -19,17 +19,12 @@ struct explaining {
 static const char *type_name(const struct key *key)
 {
     static const char *const NAMES[] = {
-        [KEY_NUMBER] = "number",
-        [KEY_INTEGER] = "whole number",
-        [KEY_FLAG] = "flag",
-        [KEY_CHOICE] = "choice",
-        [KEY_POINT] = "point",
-        [KEY_PATH] = "path",
-        [KEY_INK] = "ink",
-        [KEY_BRUSH] = "brush",
-        [KEY_RASTER] = "expression",
-        [KEY_PICTURE] = "path",
-        [KEY_COEFFICIENT] = "coefficient",
+        [KEY_NUMBER] = "number",     [KEY_INTEGER] = "whole number",
+        [KEY_FLAG] = "flag",         [KEY_CHOICE] = "choice",
+        [KEY_POINT] = "point",       [KEY_PATH] = "path",
+        [KEY_INK] = "ink",           [KEY_BRUSH] = "brush",
+        [KEY_RASTER] = "expression", [KEY_PICTURE] = "path",
+        [KEY_TEXT] = "text",         [KEY_COEFFICIENT] = "coefficient",
     };
     return strcmp(key->unit, "section") == 0 ? "section" : NAMES[key->type];
 }
