@@ -87,18 +87,18 @@ static void come_down(struct gestures *gestures, const struct event *event, cons
     other->partner = index + 1;
     finger->partner = first + 1;
     tell(telling, GESTURE_CANCEL, first, other->at, other->at, 0);
-    int keeper = first < index ? first : index;
-    gestures->finger[keeper].said = between(other->at, at);
-    gestures->finger[keeper].spread = spread_of(other, finger);
-    tell(telling, GESTURE_PAIR, keeper, gestures->finger[keeper].said, gestures->finger[keeper].said, 0);
+    other->leads = true;
+    other->said = between(other->at, at);
+    other->spread = spread_of(other, finger);
+    tell(telling, GESTURE_PAIR, first, other->said, other->said, 0);
 }
 
 static void move_pair(struct gestures *gestures, int index, const struct telling *telling)
 {
     int other = gestures->finger[index].partner - 1;
-    int keeper = index < other ? index : other;
+    int keeper = gestures->finger[index].leads ? index : other;
     struct finger *first = &gestures->finger[keeper];
-    const struct finger *second = &gestures->finger[index < other ? other : index];
+    const struct finger *second = &gestures->finger[keeper == index ? other : index];
     struct point middle = between(first->at, second->at), from = first->said;
     float spread = spread_of(first, second), pinch = log2f(spread / first->spread);
     if (distance(from, middle) >= GESTURE_STEP) {

@@ -29,7 +29,7 @@ enum gesture_kind {
 
 struct gesture {
     enum gesture_kind kind;
-    int finger; /* 0..GESTURE_FINGERS-1; of two, the first */
+    int finger; /* 0..GESTURE_FINGERS-1; of two, the one that came down first */
     struct point at, from;
     float value;
     uint64_t time_us;
@@ -39,6 +39,7 @@ struct gestures { /* all zero: no finger */
     bool pairs;   /* two fingers of a hand are a gesture of their own; else every finger is for itself */
     struct finger {
         bool down, moved;
+        bool leads;  /* of two: the one that came down first */
         int partner; /* the other of two, + 1; 0: none; -1: there was one, and it has left */
         enum event_source source;
         uint32_t device;

@@ -3,6 +3,7 @@
 #include "inputs_read.h"
 #include "key_names.h"
 #include "script_action.h"
+#include "stroke.h"
 
 enum { ROWS_MAX = 48 };
 
@@ -306,6 +307,12 @@ static void read_what(struct reader *reader, const struct parts *parts, struct b
         binding->what = DO_VERB;
         binding->action = action_default(verb);
         script_action_bound(reader, node, &binding->action);
+        if (binding->action.path.count > STROKE_POINTS) {
+            size_t inner = reader_enter(reader, "path");
+            reader_problem(reader, yaml_get(node, "path"), "a path of %d points; at most %d in a binding",
+                           binding->action.path.count, STROKE_POINTS);
+            reader_leave(reader, inner);
+        }
     } else if (node->kind != YAML_MAPPING) {
         inputs_wrong_kind(reader, node, "a mapping: {parameter: value, ...}, or {}");
     } else if (strcmp(parts->what_name, "turn") == 0) {
