@@ -16,6 +16,7 @@ struct bench_figure {
 
 struct bench {
     const char *name, *meaning;
+    char meaning_text[400]; /* where `meaning` is made here; after a failure, why */
     struct bench_figure figures[BENCH_FIGURES_MAX];
     int count;
 };
@@ -32,5 +33,8 @@ double bench_triad(void);
 
 /* The dendritic painting, CPU engine. False when memory is short. */
 bool bench_painting(struct bench *bench);
+
+/* The GPU engine and its picture. False with the reason in meaning_text. */
+bool bench_graphics(struct bench *bench);
 
 #endif

@@ -15,12 +15,12 @@ static const char HELP[] =
     "or two; leave the machine alone meanwhile.\n\n"
     "      --json  {\"bench\": NAME, \"figures\": [{\"name\", \"value\", \"unit\"}]}, one a line\n"
     "      --help  this\n\n"
-    "Benches: painting\n";
+    "Benches: painting, gpu\n";
 
 static const struct {
     const char *name;
     bool (*run)(struct bench *bench);
-} BENCHES[] = {{"painting", bench_painting}};
+} BENCHES[] = {{"painting", bench_painting}, {"gpu", bench_graphics}};
 
 static void print_json(const struct bench *bench)
 {
@@ -45,7 +45,7 @@ static void print_table(const struct bench *bench)
     printf("%s: %s\n", bench->name, bench->meaning);
     for (int i = 0; i < bench->count; i++) {
         const struct bench_figure *figure = &bench->figures[i];
-        printf("  %-28s %9.4g %-12s", figure->name, figure->value, figure->unit);
+        printf("  %-34s %9.4g %-12s", figure->name, figure->value, figure->unit);
         if (figure->of_triad > 0) {
             printf(" %5.2f passes over the state at triad speed", figure->of_triad);
         }
@@ -65,7 +65,8 @@ static int run_bench(const char *name, bool json)
         struct bench bench = {.count = 0};
         found = true;
         if (!BENCHES[i].run(&bench)) {
-            fprintf(stderr, "frond bench %s: memory is short\n", BENCHES[i].name);
+            fprintf(stderr, "frond bench %s: %s\n", BENCHES[i].name,
+                    bench.meaning_text[0] ? bench.meaning_text : "memory is short");
             return EXIT_STATUS_FAILED;
         }
         if (json) {

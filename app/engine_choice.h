@@ -24,9 +24,9 @@ struct engine_choice {
 };
 
 /* With ENGINE_AUTO measures both, in under two seconds, in the current GL context (`renderer`: its name; NULL: there is
- * none, and the CPU it is), or takes what `path` (a file of this module's making; NULL: none) remembers of the same
- * renderer, processor, grid and version, and writes it there when it had to measure. Never fails: what cannot be
- * measured loses. */
+ * none, and the CPU it is; the same where GL draws with the processor), or takes what `path` (a file of this module's
+ * making; NULL: none) remembers of the same renderer, processor, grid and version, and writes it there when it had to
+ * measure. Never fails: what cannot be measured loses. */
 struct engine_choice engine_choose(enum engine_kind wanted, const struct painting_def *def, const char *renderer,
                                    const struct shader_folder *folder, const char *path);
 

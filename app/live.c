@@ -38,8 +38,9 @@ struct live {
     struct shader_folder folder;
     int signals; /* a descriptor that becomes readable when it is time to go */
     enum display_state state;
-    double presented_s; /* when a frame was presented last */
-    double second_s;    /* when it was looked after last */
+    char described[300]; /* what was said of the display last */
+    double presented_s;  /* when a frame was presented last */
+    double second_s;     /* when it was looked after last */
     bool said_end;
 };
 
@@ -100,16 +101,21 @@ static void feel(struct live *live)
     }
 }
 
+/* What has become of the screen, whenever that is another line than before. */
 static void note_state(struct live *live)
 {
     static const char *const STATES[] = {"shown", "switched off", "no display is connected", "lent to another program"};
     enum display_state state = display_state(live->display);
-    if (state == live->state) {
+    const char *text = display_describe(live->display);
+    if (state == live->state && strcmp(text, live->described) == 0) {
         return;
     }
+    if (state != live->state) {
+        studio_rest(live->studio, state != DISPLAY_SHOWN);
+    }
     live->state = state;
-    studio_rest(live->studio, state != DISPLAY_SHOWN);
-    say("display: %s", state == DISPLAY_SHOWN ? display_describe(live->display) : STATES[state]);
+    snprintf(live->described, sizeof live->described, "%s", text);
+    say("display: %s%s%s", state == DISPLAY_SHOWN ? "" : STATES[state], state == DISPLAY_SHOWN ? "" : "; ", text);
 }
 
 static void nap(void)
@@ -155,9 +161,9 @@ static bool recover(struct live *live)
     struct display_error display_error;
     struct studio_error error;
     double start = bench_wall_s();
-    say("the GPU was reset");
+    say("GL is lost");
+    live_picture_finish(&live->picture);
     studio_suspend(live->studio);
-    live_picture_finish(&live->picture, true);
     while (!display_renew(live->display, &display_error)) {
         if (told_to_go(live)) {
             return false;
@@ -267,7 +273,8 @@ bool live(const struct script *script, struct display *display, const struct liv
                         .state = display_state(display)};
     live.signals = catch_signals();
     live_picture_init(&live.picture, script, def->xray, def->shaders ? &live.folder : NULL);
-    say("display: %s", display_describe(display));
+    snprintf(live.described, sizeof live.described, "%s", display_describe(display));
+    say("display: %s", live.described);
     bool good = live.signals >= 0 &&
                 live_care_init(&live.care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
                 open_studio(&live);
@@ -278,7 +285,7 @@ bool live(const struct script *script, struct display *display, const struct liv
         good = write_shot(&live) && good;
     }
     studio_destroy(live.studio);
-    live_picture_finish(&live.picture, display_lost(display));
+    live_picture_finish(&live.picture);
     live_care_finish(&live.care);
     release_signals(live.signals);
     return good;

@@ -1,9 +1,12 @@
 #include "live_picture.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
+#include "legend.h"
 #include "picture_gpu.h"
 #include "script_sheet.h"
+#include "xray_gpu.h"
 
 enum { TONE_FOLLOW = 240 }; /* pictures: the tone of a growing painting holds still for the eye */
 
@@ -14,11 +17,40 @@ void live_picture_init(struct live_picture *picture, const struct script *script
     picture->stamp = shader_folder_stamp(folder);
 }
 
-void live_picture_finish(struct live_picture *picture, bool lost)
+void live_picture_finish(struct live_picture *picture)
 {
-    (void)lost;
     picture_gpu_destroy(picture->picture);
+    xray_gpu_destroy(picture->layers);
     picture->picture = NULL;
+    picture->layers = NULL;
+}
+
+/* Text and scales of the layers; a view without them is still a view. */
+static void lay_legend(const struct live_picture *picture)
+{
+    const struct picture_def *def = &picture->def;
+    struct xray_panel panels[XRAY_LAYERS];
+    uint8_t *rgba = malloc((size_t)def->width * (size_t)def->height * 4);
+    xray_layout(def->width, def->height, def->cells_x, def->cells_y, panels);
+    if (rgba && legend_draw(panels, def->width, def->height, rgba)) {
+        xray_gpu_legend(picture->layers, rgba);
+    }
+    free(rgba);
+}
+
+static bool make(struct live_picture *picture, struct shader_error *error)
+{
+    const struct picture_def *def = &picture->def;
+    live_picture_finish(picture);
+    if (!picture->xray) {
+        picture->picture = picture_gpu_create(def, picture->folder, error);
+        return picture->picture;
+    }
+    picture->layers = xray_gpu_create(def->width, def->height, def->cells_x, def->cells_y, picture->folder, error);
+    if (picture->layers) {
+        lay_legend(picture);
+    }
+    return picture->layers;
 }
 
 /* Makes the picture for this sheet and this panel, unless it is there. */
@@ -26,35 +58,42 @@ static bool fit(struct live_picture *picture, struct display_size size, const st
                 struct shader_error *error)
 {
     const struct picture_def *old = &picture->def;
-    *made = !picture->picture || old->width != size.width || old->height != size.height ||
+    *made = !(picture->picture || picture->layers) || old->width != size.width || old->height != size.height ||
             old->cells_x != fields->width || old->cells_y != fields->height;
     if (!*made) {
         return true;
     }
-    picture_gpu_destroy(picture->picture);
     picture->def = script_picture(picture->script, size.width, size.height);
     picture->def.cells_x = fields->width;
     picture->def.cells_y = fields->height;
     picture->def.follow = TONE_FOLLOW;
-    picture->picture = picture_gpu_create(&picture->def, picture->folder, error);
-    return picture->picture;
+    return make(picture, error);
 }
 
 bool live_picture_draw(struct live_picture *picture, struct display *display, const struct fields *fields, bool fresh,
                        struct shader_error *error)
 {
     struct display_size panel = display_panel(display);
+    unsigned framebuffer = display_framebuffer(display);
     bool made;
     float turn[4];
     if (!fit(picture, display_sheet(display), fields, &made, error)) {
         return false;
     }
-    if (fresh || made || picture->reloaded) {
-        picture_gpu_shade(picture->picture, fields);
-        picture->reloaded = false;
-    }
+    bool anew = fresh || made || picture->reloaded;
+    picture->reloaded = false;
     display_turn(display, turn);
-    picture_gpu_present(picture->picture, display_framebuffer(display), panel.width, panel.height, turn);
+    if (picture->xray) {
+        if (anew) {
+            xray_gpu_shade(picture->layers, fields);
+        }
+        xray_gpu_present(picture->layers, framebuffer, panel.width, panel.height, turn);
+        return true;
+    }
+    if (anew) {
+        picture_gpu_shade(picture->picture, fields);
+    }
+    picture_gpu_present(picture->picture, framebuffer, panel.width, panel.height, turn);
     return true;
 }
 
@@ -62,11 +101,12 @@ void live_picture_reload(struct live_picture *picture)
 {
     long long stamp = shader_folder_stamp(picture->folder);
     struct shader_error error;
-    if (stamp == picture->stamp || !picture->picture) {
+    if (stamp == picture->stamp || !(picture->picture || picture->layers)) {
         return;
     }
     picture->stamp = stamp;
-    picture->reloaded = picture_gpu_reload(picture->picture, &error);
+    picture->reloaded =
+        picture->xray ? xray_gpu_reload(picture->layers, &error) : picture_gpu_reload(picture->picture, &error);
     if (!picture->reloaded) {
         fprintf(stderr, "frond: %s\n", error.text);
     }

@@ -14,14 +14,15 @@ struct live_picture {
     bool xray;
     long long stamp;             /* of the folder when the programs were made */
     struct picture_def def;      /* of the picture as it is */
-    struct picture_gpu *picture; /* NULL: not made yet */
+    struct picture_gpu *picture; /* NULL: not made yet, or the layers are shown */
+    struct xray_gpu *layers;     /* NULL: not made yet, or the picture is shown */
     bool reloaded;               /* its programs are others: to be shaded again */
 };
 
 void live_picture_init(struct live_picture *picture, const struct script *script, bool xray,
                        const struct shader_folder *folder);
-/* `lost`: GL is gone, nothing of it is to be touched. */
-void live_picture_finish(struct live_picture *picture, bool lost);
+/* In the context in which it was drawn, lost or not. */
+void live_picture_finish(struct live_picture *picture);
 /* Draws the fields into the display's framebuffer. `fresh`: they are others than the last time. */
 bool live_picture_draw(struct live_picture *picture, struct display *display, const struct fields *fields, bool fresh,
                        struct shader_error *error);

@@ -236,6 +236,7 @@ bool display_begin(struct display *display)
 void display_end(struct display *display)
 {
     display->drawn = true;
+    display->last = display->framebuffer;
     display->source->end(display);
 }
 

@@ -95,7 +95,7 @@ bool display_event(struct display *display, struct event *event);
 bool display_closed(const struct display *display);
 
 /* Whether a frame may be drawn now: the screen is there, and the last frame has been taken. Makes the context current
- * and binds the framebuffer. Never waits. */
+ * and binds the framebuffer. Never waits. Without display_end nothing has happened: the last picture stays. */
 bool display_begin(struct display *display);
 /* Presents what was drawn since display_begin, at the next vertical blank. A window may wait here for the desktop to
  * take the frame; a screen never does. */

@@ -25,7 +25,7 @@ bool display_capture(struct display *display, uint8_t *rgb)
     if (!pixels) {
         return false;
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, display->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, display->last);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);

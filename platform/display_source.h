@@ -29,6 +29,7 @@ struct display {
     struct display_size panel;
     struct display_frames frames;
     unsigned framebuffer; /* that is being drawn, or was drawn last */
+    unsigned last;        /* framebuffer that was drawn last */
     bool drawn;           /* it holds a whole frame */
     bool flipped;         /* its lowest row is the panel's uppermost */
     bool closed, lost;

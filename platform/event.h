@@ -30,7 +30,7 @@ struct event {
 
     /* Controls. */
     uint32_t control; /* HID: usage page << 16 | usage; key: its code in linux/input-event-codes.h; GPIO: the number of
-                         the line or encoder in the definition */
+                         the button in the definition, encoders counted on after the last button */
     int index;        /* HID: which of several controls of one usage in a device, 0.. */
     bool relative;    /* `value` is steps since the event before; else it is the value now */
     bool centred;     /* an axis that rests in its middle */

@@ -51,6 +51,21 @@ static bool has_keys(const struct hid_descriptor *descriptor)
     return false;
 }
 
+bool hid_is_consumer_control(const struct hid_descriptor *descriptor)
+{
+    bool consumer = false;
+    for (int i = 0; i < descriptor->collection_count; i++) {
+        const struct hid_collection *collection = &descriptor->collections[i];
+        if (collection->kind == HID_APPLICATION && hid_is_controller(collection->usage)) {
+            if (collection->usage >> 16 != HID_PAGE_CONSUMER) {
+                return false;
+            }
+            consumer = true;
+        }
+    }
+    return consumer;
+}
+
 enum hid_class hid_class_of(const struct hid_descriptor *descriptor)
 {
     bool found[HID_CLASS_KEYBOARD + 1] = {false};
@@ -62,17 +77,9 @@ enum hid_class hid_class_of(const struct hid_descriptor *descriptor)
     if (found[HID_CLASS_KEYBOARD] || has_keys(descriptor)) {
         return HID_CLASS_KEYBOARD;
     }
-    if (found[HID_CLASS_CONTROLLER]) {
-        bool pointer = found[HID_CLASS_POINTER] || found[HID_CLASS_TOUCH];
-        bool consumer_alone = pointer;
-        for (int i = 0; consumer_alone && i < descriptor->collection_count; i++) {
-            const struct hid_collection *collection = &descriptor->collections[i];
-            consumer_alone = collection->kind != HID_APPLICATION || !hid_is_controller(collection->usage) ||
-                             collection->usage >> 16 == HID_PAGE_CONSUMER;
-        }
-        if (!consumer_alone) { /* a mouse with media keys is a mouse */
-            return HID_CLASS_CONTROLLER;
-        }
+    bool pointer = found[HID_CLASS_POINTER] || found[HID_CLASS_TOUCH];
+    if (found[HID_CLASS_CONTROLLER] && !(pointer && hid_is_consumer_control(descriptor))) {
+        return HID_CLASS_CONTROLLER; /* but a mouse with media keys is a mouse */
     }
     if (found[HID_CLASS_TOUCH]) {
         return HID_CLASS_TOUCH;

@@ -16,5 +16,8 @@ enum hid_class {
 
 enum hid_class hid_class_of(const struct hid_descriptor *descriptor);
 bool hid_is_controller(uint32_t application); /* of one application collection */
+/* What makes it a controller is consumer control alone, as with a knob, and with the media keys of keyboards and mice.
+ */
+bool hid_is_consumer_control(const struct hid_descriptor *descriptor);
 
 #endif

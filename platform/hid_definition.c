@@ -125,7 +125,9 @@ bool hid_matches(const struct hid_match *match, const struct hid_node *node)
 const struct hid_device_def *hid_definition_find(const struct hid_definition *definition, const struct hid_node *node)
 {
     for (int i = 0; i < definition->def.device_count; i++) {
-        if (hid_matches(&definition->devices[i].match, node)) {
+        const struct hid_device_def *device = &definition->devices[i];
+        bool fits = node->class != HID_CLASS_KEYBOARD || device->keyboard || device->refuse;
+        if (fits && hid_matches(&device->match, node)) {
             return &definition->devices[i];
         }
     }

@@ -183,9 +183,12 @@ static struct hid_known *find_place(struct source_hid *hid, const struct hid_nod
     return place;
 }
 
-static bool beside_keyboard(const struct source_hid *hid, const struct hid_node *node)
+/* The media keys of a keyboard that nobody admitted. A gamepad that has a keyboard in it besides is one all the same.
+ */
+static bool is_of_keyboard(const struct source_hid *hid, const struct hid_node *node)
 {
-    for (int i = 0; node->parent[0] && i < hid->known_count; i++) {
+    bool keys = node->parent[0] && hid_is_consumer_control(node->descriptor);
+    for (int i = 0; keys && i < hid->known_count; i++) {
         const struct hid_known *other = &hid->known[i];
         if (other->present && other->node.class == HID_CLASS_KEYBOARD &&
             strcmp(other->node.parent, node->parent) == 0) {
@@ -203,7 +206,7 @@ static bool is_admitted(struct source_hid *hid, struct hid_known *known)
         return false;
     }
     return def || (hid_definition_get(hid->definition)->controllers && known->node.class == HID_CLASS_CONTROLLER &&
-                   !beside_keyboard(hid, &known->node));
+                   !is_of_keyboard(hid, &known->node));
 }
 
 static void drop_absent(struct source_hid *hid, const struct hid_node *nodes, int count)

@@ -17,7 +17,8 @@ struct hid_match {
 /* The first that matches a device counts. It is admitted, whatever it is, and all that it has is heard. */
 struct hid_device_def {
     struct hid_match match;
-    bool refuse;                     /* never open it, whatever it is */
+    bool refuse;   /* never open it, whatever it is */
+    bool keyboard; /* it may be one; else the entry is none for keyboards, whatever they call themselves */
     const struct hid_map_entry *map; /* what the descriptor does not explain */
     int map_count;
 };
@@ -38,8 +39,8 @@ struct source_hid_def { /* all of it is copied */
     int device_count;
     const struct hid_lamp_def *lamps;
     int lamp_count;
-    /* Every device whose collections are those of a controller is admitted. Never keyboards, nor what is built into one
-     * housing with a keyboard, nor mice, pens and screens: those want an entry of their own. */
+    /* Every device whose collections are those of a controller is admitted. Never keyboards, nor the
+     * media keys of a keyboard, nor mice, pens and screens: those want an entry of their own. */
     bool controllers;
     bool vendor; /* fields of vendor-defined usages become events as they are: for a look at an unknown board */
 };

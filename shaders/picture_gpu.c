@@ -5,6 +5,7 @@
 #include <GLES3/gl31.h>
 
 #include "picture_gpu_state.h"
+#include "show.h"
 
 /* A histogram of 1024 bins, a word for the mask, the tone that is followed. */
 enum { TONE_BYTES = 1026 * 4 };
@@ -17,9 +18,8 @@ static bool compile(const struct picture_gpu *picture, unsigned program[PASSES],
                                {"#define PLAIN 1\n#define CMY 0\n", "#define PLAIN 1\n#define CMY 1\n"}};
     const char *names[PASSES] = {
         [PASS_TONE] = "picture_tone.comp", [PASS_DEPTH] = "picture_depth.comp", [PASS_ACROSS] = "picture_across.comp",
-        [PASS_DOWN] = "picture_down.comp", [PASS_TALL] = "picture_tall.comp",   [PASS_SHADE] = "picture_shade.frag",
-        [PASS_SHOW] = "picture_show.frag"};
-    for (int pass = 0; pass < PASSES; pass++) {
+        [PASS_DOWN] = "picture_down.comp", [PASS_TALL] = "picture_tall.comp",   [PASS_SHADE] = "picture_shade.frag"};
+    for (int pass = 0; pass < PASS_SHOW; pass++) {
         const char *defines = pass == PASS_DOWN ? flat : NULL;
         if (pass == PASS_SHADE) {
             defines = shade[picture->def.plain][picture->def.mixing == INK_CMY];
@@ -30,7 +30,8 @@ static bool compile(const struct picture_gpu *picture, unsigned program[PASSES],
             return false;
         }
     }
-    return true;
+    program[PASS_SHOW] = show_program(folder, error);
+    return program[PASS_SHOW];
 }
 
 static void delete_programs(unsigned program[PASSES])

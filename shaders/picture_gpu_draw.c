@@ -1,6 +1,7 @@
 #include <GLES3/gl31.h>
 
 #include "picture_gpu_state.h"
+#include "show.h"
 
 enum {
     /* Cells or pixels of one piece of work: at about 350 operations each, 50 ms where a board makes 3.9 thousand
@@ -133,18 +134,6 @@ static void set_shade(const struct picture_gpu *picture)
     }
 }
 
-static void plain_target(unsigned framebuffer, int width, int height)
-{
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width, height);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_STENCIL_TEST);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DITHER);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
 static void shade(const struct picture_gpu *picture)
 {
     static const enum picture_texture inputs[] = {PICTURE_TALL_MATTER, PICTURE_TALL_INKS,      PICTURE_TALL_SURFACE,
@@ -157,7 +146,7 @@ static void shade(const struct picture_gpu *picture)
     for (int i = 0; i < (int)(sizeof inputs / sizeof *inputs); i++) {
         take(picture, i, inputs[i]);
     }
-    plain_target(picture->framebuffer, width, height);
+    show_target(picture->framebuffer, width, height);
     glEnable(GL_SCISSOR_TEST);
     for (int y = 0; y < height; y += rows) {
         glScissor(0, y, width, rows);
@@ -190,18 +179,9 @@ bool picture_gpu_shade(struct picture_gpu *picture, const struct fields *fields)
 void picture_gpu_present(const struct picture_gpu *picture, unsigned framebuffer, int panel_width, int panel_height,
                          const float turn[4])
 {
-    int width = picture->def.width, height = picture->def.height;
-    bool upright = panel_width == width && panel_height == height && turn[1] * turn[1] < 0.25f;
-    bool sideways = panel_width == height && panel_height == width && turn[1] * turn[1] > 0.25f;
-    plain_target(framebuffer, panel_width, panel_height);
-    glDisable(GL_SCISSOR_TEST);
-    glUseProgram(picture->program[PASS_SHOW]);
-    glUniform2i(0, panel_width, panel_height);
-    glUniform2i(1, width, height);
-    glUniformMatrix2fv(2, 1, GL_FALSE, turn);
-    glUniform1i(3, upright || sideways);
-    take(picture, 0, PICTURE_SHEET);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    struct show show = {picture->program[PASS_SHOW], picture->texture[PICTURE_SHEET], picture->def.width,
+                        picture->def.height};
+    show_sheet(&show, framebuffer, panel_width, panel_height, turn);
 }
 
 bool picture_gpu_draw(struct picture_gpu *picture, const struct fields *fields, unsigned framebuffer, int panel_width,

@@ -196,13 +196,14 @@ static void mark(const struct probe *probe)
            now.fds, now.framebuffers);
 }
 
-/* Standard input is read without a buffer, since poll knows of none. */
+/* Standard input is read without a buffer, since poll knows of none. No more than fifty frames a second, also where
+ * there is no vertical blank. */
 static bool stay(struct probe *probe)
 {
     struct pollfd input = {STDIN_FILENO, POLLIN, 0};
     for (;;) {
         turn_loop(probe);
-        if (poll(&input, 1, 0) > 0) {
+        if (poll(&input, 1, 20) > 0) {
             char line[16] = "";
             ssize_t got = read(STDIN_FILENO, line, sizeof line - 1);
             mark(probe);
@@ -362,8 +363,22 @@ static bool save(const char *path, struct display_size size, const uint8_t *rgb)
     return (fclose(file) == 0 && done) || fail("the capture cannot be written");
 }
 
+/* A frame that is begun and never ended: nobody may see it. */
+static void begin_in_vain(const struct probe *probe)
+{
+    double end = seconds_now() + 20;
+    while (!display_begin(probe->display) && seconds_now() < end) {
+        display_wait(probe->display, 20);
+    }
+    glClearColor(1, 0, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
 static bool capture(const struct probe *probe)
 {
+    if (display_kind(probe->display) == DISPLAY_KMS) {
+        begin_in_vain(probe);
+    }
     struct display_size size = display_sheet(probe->display);
     uint8_t *rgb = malloc((size_t)size.width * (size_t)size.height * 3 + 1);
     bool done = rgb && display_capture(probe->display, rgb);

@@ -14,8 +14,15 @@
 static bool read_ppm(const char *path, struct image *image)
 {
     FILE *file = fopen(path, "rb");
-    char end = 0;
-    bool done = file && fscanf(file, "P6 %5d %5d 255%c", &image->width, &image->height, &end) == 3 && end == '\n';
+    char line[3][32] = {"", "", ""}, *height = NULL;
+    for (int i = 0; file && i < 3; i++) {
+        if (!fgets(line[i], sizeof line[i], file)) {
+            break;
+        }
+    }
+    image->width = (int)strtol(line[1], &height, 10);
+    image->height = height ? (int)strtol(height, NULL, 10) : 0;
+    bool done = !strcmp(line[0], "P6\n") && !strcmp(line[2], "255\n") && image->width > 0 && image->height > 0;
     const size_t count = done ? (size_t)image->width * (size_t)image->height * 3 : 0;
     image->channels = 3;
     image->values = calloc(count + 1, sizeof *image->values);

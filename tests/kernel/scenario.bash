@@ -101,6 +101,32 @@ ended() { # ended NAME SECONDS STATUS: it ends in that time, with that status
     wait "${pid[$1]}" || status=$?
     equal "$status" "$3"
 }
+# As the command of that name, without its three processes. For one asker at a time: the scene, while no probe asks.
+outside() {
+    local status reply control
+    exec {control}<>/dev/machine.control
+    printf '%s\n' "$*" >&"$control"
+    read -r status reply <&"$control"
+    exec {control}>&-
+    [[ ! $reply ]] || printf '%b\n' "$reply"
+    return "$status"
+}
+# Flips that the kernel has reported to programs since `flips_from_now`; the console's have no file.
+flips_from_now() {
+    [[ -d /sys/kernel/tracing/events ]] || mount -t tracefs tracefs /sys/kernel/tracing
+    printf 0 >/sys/kernel/tracing/trace
+    printf 1 >/sys/kernel/tracing/events/drm/drm_vblank_event_delivered/enable
+}
+flips() {
+    grep 'drm_vblank_event_delivered:' /sys/kernel/tracing/trace | grep -vc 'file=0*,'
+}
+await_flips() { # await_flips COUNT SECONDS
+    local end=$((SECONDS + $2))
+    until (($(flips) >= $1)); do
+        ((SECONDS < end)) || return 1
+        pause 0.3
+    done
+}
 descriptors() { # descriptors NAME: how many files it has open
     local -a open=("/proc/${pid[$1]}/fd/"*)
     printf '%d\n' ${#open[@]}

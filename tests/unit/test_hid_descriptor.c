@@ -140,6 +140,27 @@ static void test_usages_of_elements(void **state)
     hid_descriptor_destroy(consumer);
 }
 
+/* A page that comes after usages is theirs; where it had come before one of them, each keeps its own. */
+static void test_late_pages(void **state)
+{
+    (void)state;
+    static const uint8_t bytes[] = {
+        0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x25, 0x01, 0x75, 0x01,
+        0x95, 0x02, 0x09, 0x30, 0x09, 0x31, 0x05, 0x09, 0x81, 0x02, /* X, Y? Buttons. */
+        0x05, 0x01, 0x09, 0x30, 0x05, 0x09, 0x09, 0x02, 0x81, 0x02, /* X, Button 2 */
+        0x05, 0x01, 0x19, 0x01, 0x29, 0x02, 0x0b, 0x30, 0x00, 0x01,
+        0x00, 0x05, 0x09, 0x95, 0x03, 0x81, 0x02, 0xc0}; /* Buttons 1 and 2; X, come what may */
+    static const uint32_t expected[] = {0x90030, 0x90031, 0x10030, 0x90002, 0x90001, 0x90002, 0x10030};
+    struct hid_error error;
+    struct hid_descriptor *descriptor = hid_descriptor_create(bytes, sizeof bytes, &error);
+    assert_non_null(descriptor);
+    for (uint32_t i = 0; i < 7; i++) {
+        const struct hid_field *field = &descriptor->fields[i < 4 ? i / 2 : 2];
+        assert_int_equal(hid_field_usage(descriptor, field, i < 4 ? i % 2 : i - 4), expected[i]);
+    }
+    hid_descriptor_destroy(descriptor);
+}
+
 static void test_classes(void **state)
 {
     (void)state;
@@ -344,15 +365,11 @@ static void test_units_and_flags(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_truncated),
-        cmocka_unit_test(test_collections),
-        cmocka_unit_test(test_classes),
-        cmocka_unit_test(test_usages_of_elements),
-        cmocka_unit_test(test_malformed),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_names),
-        cmocka_unit_test(test_units_and_flags),
+        cmocka_unit_test(test_samples),     cmocka_unit_test(test_truncated),
+        cmocka_unit_test(test_collections), cmocka_unit_test(test_classes),
+        cmocka_unit_test(test_late_pages),  cmocka_unit_test(test_usages_of_elements),
+        cmocka_unit_test(test_malformed),   cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_names),       cmocka_unit_test(test_units_and_flags),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -315,6 +315,10 @@ static void test_wrong_lengths(void **state)
     assert_false(hid_decoder_decode(decoder, (const uint8_t[]){1}, 0, hear, &heard));
     assert_false(hid_decoder_decode(decoder, (const uint8_t[]){99, 1, 2, 3}, 4, hear, &heard));
     assert_silent(&heard);
+    struct hid_decoder *stick = decoder_for("extreme_3d", false);
+    heard = DECODE(stick, 0xff); /* eight bits of ten */
+    assert_silent(&heard);
+    hid_decoder_destroy(stick);
     uint8_t large[2 * HID_REPORT_BYTES] = {2, 1};
     heard = decode(decoder, large, sizeof large);
     assert_says(&heard, "Consumer: Home", 0, 1);

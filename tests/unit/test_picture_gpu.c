@@ -5,14 +5,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include <cmocka.h>
 
 #include <GLES3/gl31.h>
 
+#include "bench_picture_gpu.h"
 #include "picture_case.h"
 
-enum { ALLOWED = 2 };
+enum {
+    ALLOWED = 2,
+    SAME_PERCENT = 90, /* of the channels of any picture of some size: a dither of its own leaves far fewer */
+};
 
 static struct picture_def def_of(const struct picture_case *subject, int width, int height)
 {
@@ -41,6 +46,9 @@ static void hold_together(const struct picture_case *subject, const struct pictu
         const uint8_t *b = gpu + 3 * (difference.y * def->width + difference.x);
         fail_msg("%s: at %d, %d of %dx%d %d %d %d by the CPU, %d %d %d by the GPU", what, difference.x, difference.y,
                  def->width, def->height, a[0], a[1], a[2], b[0], b[1], b[2]);
+    }
+    if (def->width * def->height > 400 && (double)difference.count[0] < SAME_PERCENT * channels) {
+        fail_msg("%s: only %g %% of the channels are the same", what, (double)difference.count[0] / channels);
     }
     free(cpu);
     free(gpu);
@@ -282,11 +290,45 @@ static void refusals(void **state)
     bench_finish(&bench);
 }
 
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static struct picture_def full_hd(struct picture_def def)
+{
+    def.width = 960, def.height = 540;
+    def.cells_x = 480, def.cells_y = 270;
+    return def;
+}
+
+static void costs(void **state)
+{
+    (void)state;
+    struct bench bench;
+    struct fields fields;
+    bench_init(&bench, full_hd);
+    assert_true(fields_create(&fields, 480, 270, false));
+    assert_true(display_begin(bench.display));
+    struct picture_gpu_cost cost = picture_gpu_count(bench.picture);
+    struct picture_gpu_time time =
+        picture_gpu_time(bench.picture, &fields, display_framebuffer(bench.display), 2, seconds);
+    printf("960x540 of 480x270: %.1f fetches, %.1f of them in the last pass, %.0f bytes, %.0f operations a pixel; "
+           "%.0f ms, shown in %.1f ms\n",
+           cost.fetches, cost.shade_fetches, cost.bytes, cost.operations, time.shade_ms, time.present_ms);
+    assert_true(cost.shade_fetches < 40 && cost.fetches < 70 && cost.bytes < 120);
+    assert_true(time.shade_ms > 0 && time.present_ms > 0);
+    fields_finish(&fields);
+    bench_finish(&bench);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_painting),   cmocka_unit_test(hard_edges), cmocka_unit_test(same_bytes_again),
-        cmocka_unit_test(tone_follows), cmocka_unit_test(refusals),
+        cmocka_unit_test(tone_follows), cmocka_unit_test(refusals),   cmocka_unit_test(costs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

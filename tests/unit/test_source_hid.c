@@ -238,23 +238,24 @@ static void test_admission(void **state)
 {
     struct bench *bench = *state;
     static const struct hid_device_def entries[] = {{.match = {.name = "broken"}, .refuse = true},
-                                                    {.match = {.name = "staff"}}};
-    plug(bench, "keyboard", "Innocent Stick", "BAD", "1-1", 0);
-    plug(bench, "consumer", "Media Keys", NULL, "1-2", 1); /* of the keyboard that comes later */
+                                                    {.match = {.name = "board"}},
+                                                    {.match = {.name = "key"}, .keyboard = true}};
+    plug(bench, "keyboard", "Board of Buttons", "BAD", "1-1", 0); /* called like one that is admitted */
+    plug(bench, "consumer", "Media", NULL, "1-2", 1);             /* of the keyboard that comes later */
     plug(bench, "mouse", "Mouse", NULL, "1-3", 0);
     plug(bench, "touch", "Panel", NULL, "1-4", 0);
     plug(bench, "vendor", "Board", NULL, "1-5", 0);
     plug(bench, "knob", "A Broken Knob", NULL, "1-6", 0);
-    int staff = plug(bench, "keyboard", "Keys of the Staff", NULL, "1-7", 0);
+    int staff = plug(bench, "keyboard", "Keyboard of the Staff", NULL, "1-7", 0);
     int knob = plug(bench, "knob", "Knob", NULL, "1-8", 0);
-    open_source(bench, &(struct source_hid_def){.devices = entries, .device_count = 2, .controllers = true});
-    wait_for_events(bench, 3);
-    wait_for_line(bench, "keyboard 'Innocent Stick' (1209:0001, /dev/hidraw0) is not admitted");
+    open_source(bench, &(struct source_hid_def){.devices = entries, .device_count = 3, .controllers = true});
+    wait_for_events(bench, 4);
+    wait_for_line(bench, "keyboard 'Board of Buttons' (1209:0001, /dev/hidraw0) is not admitted");
     assert_non_null(strstr(bench->log, "'A Broken Knob'"));
     struct device devices[10];
     assert_int_equal(bench->source->ops->devices(bench->source, devices, 10), 8);
     for (int i = 0; i < 8; i++) {
-        bool expected = i == 1 || i >= 6;
+        bool expected = i == 1 || i == 4 || i >= 6;
         if (devices[i].admitted != expected) {
             fail_msg("%s is%s admitted", devices[i].name, devices[i].admitted ? "" : " not");
         }
@@ -265,23 +266,26 @@ static void test_admission(void **state)
 
     int media = 1;
     REPORT(bench, media, 3, 0xe2, 0, 0, 0);
-    wait_for_events(bench, 4);
-    plug(bench, "keyboard", "Media Keys", NULL, "1-2", 0);
+    wait_for_events(bench, 5);
+    plug(bench, "keyboard", "Media", NULL, "1-2", 0);
+    plug(bench, "keyboard", "Knob", NULL, "1-9", 1);
+    plug(bench, "tiny_gamepad", "Pad with Keys", NULL, "1-9", 0); /* its keys are refused, it is not */
     wait_for_line(bench, "is a part of a keyboard");
-    wait_for_events(bench, 6);
-    assert_control(&bench->events[4], "Consumer: Mute", 0); /* what it held is released */
-    assert_int_equal(bench->events[5].kind, EVENT_LEFT);
+    wait_for_events(bench, 8);
+    assert_control(&bench->events[5], "Consumer: Mute", 0); /* what it held is released */
+    assert_int_equal(bench->events[6].kind, EVENT_LEFT);
+    assert_int_equal(bench->events[7].kind, EVENT_ARRIVED);
     REPORT(bench, media, 3, 0xcd, 0, 0, 0);
     REPORT(bench, 0, 0, 0, 4, 0, 0, 0, 0, 0);
     rest(bench, 400);
-    assert_int_equal(bench->count, 6);
+    assert_int_equal(bench->count, 8);
     REPORT(bench, staff, 0, 0, 4, 0, 0, 0, 0, 0);
-    wait_for_events(bench, 7);
-    assert_control(&bench->events[6], "Keyboard: A", 1);
+    wait_for_events(bench, 9);
+    assert_control(&bench->events[8], "Keyboard: A", 1);
     REPORT(bench, knob, 2);
-    wait_for_events(bench, 8);
-    assert_control(&bench->events[7], "Consumer: Volume decrement", 1);
-    assert_true(bench->events[7].relative);
+    wait_for_events(bench, 10);
+    assert_control(&bench->events[9], "Consumer: Volume decrement", 1);
+    assert_true(bench->events[9].relative);
 }
 
 static void test_map_and_lamps(void **state)

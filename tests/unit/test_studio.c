@@ -235,6 +235,57 @@ static void it_rests_while_nobody_looks(void **state)
     assert_true(studio_report(place->studio).ticks > ticks);
 }
 
+static uint64_t now_us(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000u + (uint64_t)now.tv_nsec / 1000u;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    uint64_t left = *(const uint64_t *)a, right = *(const uint64_t *)b;
+    return (left > right) - (left < right);
+}
+
+/* While a tick takes long, whoever asks for the newest picture has an answer at once. */
+static void a_frame_never_waits_for_a_tick(void **state)
+{
+    enum { ASKED = 300 };
+    struct place *place = *state;
+    uint64_t took[ASKED];
+    int answers = 0;
+    place->script->width = place->script->height = 1400;
+    place->script->ticks = 1000000;
+    place->script->action_count = 0;
+    open_studio(place, ENGINE_CPU);
+    for (int i = 0; i < 64; i++) {
+        struct action drop = action_default(ACTION_DROP);
+        drop.at = (struct point){(float)(i % 8) / 8 + 0.06f, (float)i / 64};
+        drop.has_at = true;
+        drop.radius = 40;
+        assert_true(studio_post(place->studio, &drop));
+    }
+    for (int waited = 0; studio_report(place->studio).ticks < 5 && waited < PATIENCE_MS; waited += 5) {
+        nap();
+    }
+    assert_true(display_begin(place->display));
+    for (int i = 0; i < ASKED; i++) {
+        bool fresh;
+        uint64_t start = now_us();
+        answers += studio_newest(place->studio, &fresh) != NULL;
+        took[i] = now_us() - start;
+        nap();
+    }
+    struct studio_report report = studio_report(place->studio);
+    qsort(took, ASKED, sizeof took[0], by_size);
+    print_message("a tick takes %.1f ms, an answer %.3f ms, one in twenty more than %.3f ms\n", report.tick_ms,
+                  1e-3 * (double)took[ASKED / 2], 1e-3 * (double)took[ASKED * 19 / 20]);
+    assert_true(answers > ASKED / 2);
+    assert_true(report.tick_ms > 5);
+    assert_true(1e-3 * (double)took[ASKED * 19 / 20] < 0.3 * report.tick_ms);
+}
+
 static void paths_are_copied_and_long_ones_refused(void **state)
 {
     struct place *place = *state;
@@ -259,6 +310,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_painting_of_the_cpu_goes_to_another_grid, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_painting_of_the_gpu_goes_to_another_grid, set_up, tear_down),
         cmocka_unit_test_setup_teardown(it_rests_while_nobody_looks, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_frame_never_waits_for_a_tick, set_up, tear_down),
         cmocka_unit_test_setup_teardown(paths_are_copied_and_long_ones_refused, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,37 @@
+#include "show.h"
+
+#include <GLES3/gl31.h>
+
+unsigned show_program(const struct shader_folder *folder, struct shader_error *error)
+{
+    return program_draw(folder, "cover.vert", "show.frag", NULL, error);
+}
+
+void show_target(unsigned framebuffer, int width, int height)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width, height);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DITHER);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void show_sheet(const struct show *show, unsigned framebuffer, int panel_width, int panel_height, const float turn[4])
+{
+    bool turned = turn[1] * turn[1] > 0.25f; /* by a quarter */
+    bool exact =
+        panel_width == (turned ? show->height : show->width) && panel_height == (turned ? show->width : show->height);
+    show_target(framebuffer, panel_width, panel_height);
+    glUseProgram(show->program);
+    glUniform2i(0, panel_width, panel_height);
+    glUniform2i(1, show->width, show->height);
+    glUniformMatrix2fv(2, 1, GL_FALSE, turn);
+    glUniform1i(3, exact);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, show->texture);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
