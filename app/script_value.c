@@ -93,7 +93,7 @@ const char *value_allowed(const struct key *key, char *buffer, size_t size)
         snprintf(buffer, size, "the name of a coefficient");
         break;
     case KEY_TEXT:
-        snprintf(buffer, size, "%s of %.10g to %.10g bytes", *unit ? unit : "text", key->min, key->max);
+        snprintf(buffer, size, "%s, %.10g to %.10g bytes", *unit ? unit : "text", key->min, key->max);
         break;
     case KEY_RASTER:
         snprintf(buffer, size, "an expression in x and y, or two of them for a field");
