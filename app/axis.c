@@ -4,6 +4,7 @@
 
 static const float STEEP = 4;            /* of the exponential curve */
 static const float NEAR = 0.0005f;       /* of the range: what nobody sees */
+static const float ROUNDING = 1e-5f;     /* there and back again */
 static const uint64_t PAUSE_US = 100000; /* a longer one is no motion: the clock starts again */
 
 static float into(float value, float least, float most)
@@ -85,8 +86,8 @@ bool axis_run(struct axis *axis, const struct axis_def *def, uint64_t now_us)
         axis->shown = axis->target;
     }
     bool arrived = fabsf(axis->target - axis->shown) <= 0;
-    bool told = arrived ? fabsf(axis->shown - axis->said) > 0 : fabsf(axis->shown - axis->said) >= NEAR;
-    axis->said = told ? axis->shown : axis->said;
+    bool told = fabsf(axis->shown - axis->said) >= (arrived ? ROUNDING : NEAR);
+    axis->said = told || arrived ? axis->shown : axis->said;
     return told;
 }
 

@@ -148,7 +148,7 @@ static float level(const struct binding *binding, const struct event *event)
         float apart = fabsf(event->value - SIDES[binding->way]);
         return fminf(apart, 1 - apart) <= EIGHTH ? 1 : 0;
     }
-    if (hat || binding->way == WAY_ANY) {
+    if (hat || binding->way == WAY_ANY || !event->centred) { /* a button has one side, and is its sense alone */
         return hat ? 1 : fabsf(event->value);
     }
     return binding->way == WAY_UP || binding->way == WAY_RIGHT ? event->value : -event->value;
