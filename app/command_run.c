@@ -10,13 +10,15 @@
 #include "option.h"
 #include "pictures.h"
 #include "render.h"
+#include "script_sheet.h"
 #include "session.h"
 
 static const char HELP[] =
     "usage: frond run [SCRIPT] [OPTIONS]\n\n"
     "Paints the demonstration session, or SCRIPT, live on what is there: a window where a desktop\n"
-    "runs, else the screen of the board. Touch it. Where there is neither, the session is rendered\n"
-    "to out/ in the current folder: the picture, two pixels a cell, and a folder of how it grew.\n\n"
+    "runs, else the screen of the board, on a canvas of its shape. Touch it. Where there is neither,\n"
+    "the session is rendered to out/ in the current folder: the picture, two pixels a cell, and a\n"
+    "folder of how it grew.\n\n"
     "      --display KIND    auto, kms (the screen itself), window, headless (memory), or none: the\n"
     "                        session is rendered to out/ whatever there is\n"
     "      --card PATH       kms: the graphics card, /dev/dri/card1\n"
@@ -232,6 +234,10 @@ static int show(struct script *script, const char *path, const struct order *ord
         display_destroy(display);
         fprintf(stderr, "frond run: neither a desktop nor a screen: rendering to %s/\n", OUT);
         return render_session(path, script);
+    }
+    struct display_size size = display_sheet(display);
+    if (size.width > 0 && size.height > 0) {
+        script_fit(script, size.width, size.height);
     }
     struct live_def def = order->live;
     def.rotation = order->display.rotation;

@@ -1,5 +1,7 @@
 #include "script_sheet.h"
 
+#include <math.h>
+
 struct painting_def script_painting(const struct script *script)
 {
     struct painting_def def = painting_default_def();
@@ -24,4 +26,16 @@ struct picture_def script_picture(const struct script *script, int width, int he
         def.ink[i] = script->inks[i < script->ink_count ? i : 0];
     }
     return def;
+}
+
+static int within(double cells)
+{
+    return cells < PAINTING_SIZE_MIN ? PAINTING_SIZE_MIN : cells > PAINTING_SIZE_MAX ? PAINTING_SIZE_MAX : (int)cells;
+}
+
+void script_fit(struct script *script, int width, int height)
+{
+    double shape = (double)width / height, cells = (double)script->width * script->height;
+    script->width = within(sqrt(cells * shape) + 0.5);
+    script->height = within(sqrt(cells / shape) + 0.5);
 }

@@ -6,9 +6,7 @@
 
 #include "source_gpio.h"
 #include "source_hid.h"
-#if __has_include("source_touch.h")
 #include "source_touch.h"
-#endif
 
 enum { LINE = 400 };
 
@@ -114,7 +112,6 @@ static void make_gpio(struct sources *sources, const struct sources_def *def)
     }
 }
 
-#if __has_include("source_touch.h")
 static void make_touch(struct sources *sources, const struct sources_def *def)
 {
     struct source_error error;
@@ -145,13 +142,6 @@ static void make_touch(struct sources *sources, const struct sources_def *def)
         fail(sources, "touch", &error);
     }
 }
-#else
-static void make_touch(struct sources *sources, const struct sources_def *def)
-{
-    (void)sources;
-    (void)def;
-}
-#endif
 
 struct sources *sources_create(const struct sources_def *def)
 {

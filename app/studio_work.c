@@ -217,18 +217,22 @@ static bool begin_session(struct studio *studio)
     return true;
 }
 
-/* Counts what ticks cost, and says so once a second. */
-static void measure(struct studio *studio, double began)
+/* Counts what ticks cost, and says so once a second; `ticked`: there was one. */
+static void measure(struct studio *studio, double began, bool ticked)
 {
     double now = bench_wall_s();
-    studio->busy_s += now - began;
-    studio->second_ticks++;
+    if (ticked) {
+        studio->busy_s += now - began;
+        studio->second_ticks++;
+    }
     pthread_mutex_lock(&studio->lock);
     studio->report.ticks = session_tick(studio);
     studio->report.idle = studio->rest || studio->report.ticks >= studio->def.script->ticks;
     studio->report.ended = studio->def.once && studio->report.ticks >= studio->def.script->ticks;
-    if (now - studio->second_s >= 1) {
+    if (studio->second_ticks > 0) { /* after a session it is known what its last ticks took */
         studio->report.tick_ms = 1000 * studio->busy_s / studio->second_ticks;
+    }
+    if (now - studio->second_s >= 1) {
         studio->report.ticks_per_second = studio->second_ticks / (now - studio->second_s);
         studio->second_s = now;
         studio->busy_s = 0;
@@ -242,7 +246,8 @@ static bool tick(struct studio *studio)
     double began = bench_wall_s();
     act_script(studio);
     empty_inbox(studio);
-    if (session_tick(studio) < studio->def.script->ticks) {
+    bool ticks = session_tick(studio) < studio->def.script->ticks;
+    if (ticks) {
         studio->engine->ops->tick(studio->engine);
         studio->engine->ops->finish(studio->engine);
         studio->changed_since = true;
@@ -254,7 +259,7 @@ static bool tick(struct studio *studio)
         studio->changed_since = false;
     }
     roll_checkpoint(studio);
-    measure(studio, began);
+    measure(studio, began, ticks);
     return true;
 }
 

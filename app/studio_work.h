@@ -60,7 +60,7 @@ struct studio {
 };
 
 /* The thread: takes the studio. */
-void *studio_work(void *studio);
+void *studio_work(void *context);
 /* Ends the thread, if there is one. */
 void studio_stop(struct studio *studio);
 /* The painting of the script on a grid of this share of its cells. */
