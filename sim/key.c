@@ -56,6 +56,9 @@ const char *key_suggest(const struct key *keys, const char *misspelt)
         return NULL;
     }
     for (; keys->name; keys++) {
+        if (strlen(keys->name) > LONGEST_NAME) { /* a word of the curator's own */
+            continue;
+        }
         int d = distance(misspelt, keys->name);
         if (d < least && 2 * d < length) {
             least = d;

@@ -64,6 +64,10 @@ static const struct script_case BAD[] = {
      BYTES("inputs: 1\ncontrollers: [{id: knob, name: x}]\nbindings:\n"
            "  - {usage: X, controller: knop, drop: {}}\n"),
      "s.yaml:4:28: bindings[0].controller: unknown controller 'knop'; did you mean knob? One of knob\n"},
+    {"a controller with a long name",
+     BYTES("inputs: 1\ncontrollers: [{id: the-knob-on-the-left-of-the-window, name: x}]\nbindings:\n"
+           "  - {usage: X, controller: knop, drop: {}}\n"),
+     "s.yaml:4:28: bindings[0].controller: unknown controller 'knop'; one of the-knob-on-the-left-of-the-window\n"},
     {"a button", BYTES("inputs: 1\nbindings:\n  - {button: red, drop: {}}\n"),
      "s.yaml:3:14: bindings[0].button: unknown button 'red'; there are none in gpio.buttons\n"},
     {"a key without its keyboard", BYTES("inputs: 1\nbindings:\n  - {key: a, drop: {}}\n"),
