@@ -27,6 +27,7 @@ static const char HELP[] =
     "      --rotate DEGREES  0, 90, 180 or 270, clockwise; touch turns along\n"
     "      --inputs FILE     what visitors do, and with which devices (frond explain inputs); else fingers\n"
     "                        paint, gamepads have a point on the sheet, dials turn coefficients\n"
+    "      --hold            on a screen: no key reaches the system, neither Ctrl-C nor a change of console\n"
     "      --engine KIND     auto (the faster, by timing both once on this machine), cpu, gpu\n"
     "      --rate N          ticks a second, 1 to 1000; 60 if left out\n"
     "      --ticks N         instead of the script's\n"
@@ -87,6 +88,7 @@ enum {
     MODE,
     ROTATE,
     INPUTS,
+    HOLD,
     ENGINE,
     RATE,
     TICKS,
@@ -199,6 +201,9 @@ static int take_live_option(struct order *order, int option)
     case INPUTS:
         order->inputs = optarg;
         return -1;
+    case HOLD:
+        order->live.hold = true;
+        return -1;
     case ONCE:
         order->live.once = true;
         return -1;
@@ -292,6 +297,7 @@ static int read_order(int argc, char *argv[], struct order *order)
                                             {"mode", required_argument, NULL, MODE},
                                             {"rotate", required_argument, NULL, ROTATE},
                                             {"inputs", required_argument, NULL, INPUTS},
+                                            {"hold", no_argument, NULL, HOLD},
                                             {"engine", required_argument, NULL, ENGINE},
                                             {"rate", required_argument, NULL, RATE},
                                             {"ticks", required_argument, NULL, TICKS},

@@ -87,8 +87,8 @@ static inline const struct binding *controls_binding(const struct controls *cont
 int controls_owner(struct controls *controls, enum event_source source, uint32_t device);
 struct cause controls_cause(const struct controls *controls, int finger, int owner, uint64_t time_us);
 
-/* controls_fire.c: the binding's action happens. */
-void controls_fire(struct controls *controls, int binding, const struct cause *cause);
+/* controls_fire.c: the action of the binding `index` happens. */
+void controls_fire(struct controls *controls, int index, const struct cause *cause);
 void controls_push_set(struct controls *controls, int coefficient, float value, uint64_t time_us);
 
 /* controls_press.c */
@@ -103,12 +103,13 @@ void controls_run_presses(struct controls *controls, uint64_t now_us);
 bool controls_is_pressed(const struct controls *controls, int binding, const struct event *event);
 
 /* controls_value.c */
-/* An axis, a dial or a finger that goes along: `x` and `y` are how far a finger went, both 0 for controls. */
-void controls_move(struct controls *controls, int binding, const struct event *event, const struct cause *cause);
-void controls_move_finger(struct controls *controls, int binding, const struct gesture *gesture, uint32_t device,
+/* An axis or a dial has another value; `index` is the binding. */
+void controls_move(struct controls *controls, int index, const struct event *event, const struct cause *cause);
+/* A finger goes along, or two spread. */
+void controls_move_finger(struct controls *controls, int index, const struct gesture *gesture, uint32_t device,
                           enum event_source source);
 /* One step of a button: up or down by its `way`. */
-void controls_nudge(struct controls *controls, int binding, const struct cause *cause);
+void controls_nudge(struct controls *controls, int index, const struct cause *cause);
 void controls_run_values(struct controls *controls, uint64_t now_us);
 void controls_run_cursors(struct controls *controls, uint64_t now_us);
 bool controls_values_move(const struct controls *controls);

@@ -29,7 +29,7 @@ static void name_line(struct reader *reader, const struct yaml_node *item, const
     } else if (!chip) {
         reader_problem(reader, node, "the number of a line on no chip; chip: LABEL beside it, or the line's name");
     }
-    line->offset = atoi(digits <= OFFSET_DIGITS ? line->name : "0");
+    line->offset = digits <= OFFSET_DIGITS ? (int)strtol(line->name, NULL, 10) : 0;
     line->name = NULL;
     reader_leave(reader, length);
 }

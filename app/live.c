@@ -269,7 +269,8 @@ static bool open_studio(struct live *live)
 
 static bool open_input(struct live *live)
 {
-    bool good = live_input_open(&live->input, live->script, live->def->inputs, live->display, live->def->rotation);
+    bool good = live_input_open(&live->input, live->script, live->display,
+                                &(struct live_input_def){live->def->inputs, live->def->rotation, live->def->hold});
     if (!good) {
         say("memory is short for what visitors do");
     }

@@ -12,6 +12,7 @@ struct live_def {
     enum engine_kind engine;
     const char *shaders; /* folder of shader sources, looked at again when they change; NULL: the embedded ones */
     const struct inputs *inputs; /* what visitors do; NULL: the default (inputs.h) */
+    bool hold;                   /* on a screen: no key reaches the system (source_touch.h) */
     int rotation;                /* of the display, degrees clockwise: fingers turn along */
     const char *shot;            /* PNG of the last frame, written at the end; NULL: none */
     int64_t frames;              /* end after so many; 0: when told to */

@@ -2,24 +2,24 @@
 
 #include "bench.h"
 
-bool live_input_open(struct live_input *input, const struct script *script, const struct inputs *inputs,
-                     struct display *display, int rotation)
+bool live_input_open(struct live_input *input, const struct script *script, struct display *display,
+                     const struct live_input_def *def)
 {
     struct display_size size = display_sheet(display);
     bool screen = display_kind(display) == DISPLAY_KMS;
     int fds[SOURCES_MAX];
-    *input = (struct live_input){.own = inputs ? NULL : inputs_default(script)};
-    inputs = inputs ? inputs : input->own;
+    *input = (struct live_input){.own = def->inputs ? NULL : inputs_default(script)};
+    const struct inputs *inputs = def->inputs ? def->inputs : input->own;
     if (!inputs) {
         return false;
     }
-    const struct sources_def def = {.inputs = inputs,
-                                    .touch = screen,
-                                    .hold = screen,
-                                    .rotation = rotation,
-                                    .width = size.width,
-                                    .height = size.height};
-    input->sources = sources_create(&def);
+    const struct sources_def sources = {.inputs = inputs,
+                                        .touch = screen,
+                                        .hold = screen && def->hold,
+                                        .rotation = def->rotation,
+                                        .width = size.width,
+                                        .height = size.height};
+    input->sources = sources_create(&sources);
     input->controls = controls_create(&(struct controls_def){inputs, script->ink_count, script->coefficients});
     input->lamps.inputs = inputs;
     if (!input->sources || !input->controls) {

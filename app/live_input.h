@@ -20,9 +20,15 @@ struct live_input {
     uint64_t refused;        /* actions that the studio had no room for */
 };
 
-/* `inputs` NULL: the default ones; else they are the caller's and outlive this. False when memory is short. */
-bool live_input_open(struct live_input *input, const struct script *script, const struct inputs *inputs,
-                     struct display *display, int rotation);
+struct live_input_def {
+    const struct inputs *inputs; /* NULL: the default ones; else the caller's, which outlive this */
+    int rotation;                /* of the display, degrees clockwise */
+    bool hold;                   /* on a screen: no key reaches the system */
+};
+
+/* False when memory is short. */
+bool live_input_open(struct live_input *input, const struct script *script, struct display *display,
+                     const struct live_input_def *def);
 void live_input_close(struct live_input *input); /* takes a zeroed one */
 /* How long the display may wait before there is something to do here, at most `most`. */
 int live_input_wait_ms(const struct live_input *input, int most);

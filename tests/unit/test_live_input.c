@@ -52,7 +52,7 @@ static struct place open_place(void)
     studio_def.threads = 1;
     place.studio = studio_create(&studio_def, place.display, &studio_error);
     assert_non_null(place.studio);
-    assert_true(live_input_open(&place.input, place.script, NULL, place.display, 0));
+    assert_true(live_input_open(&place.input, place.script, place.display, &(struct live_input_def){.inputs = NULL}));
     place.fake = source_fake_create(&(struct source_fake_def){.source = SOURCE_TOUCH}, &source_error);
     assert_true(place.fake && sources_add(place.input.sources, place.fake));
     return place;
@@ -92,6 +92,11 @@ static void touch(struct place *place, enum event_kind kind, float x)
     source_fake_post(place->fake, 0, &event);
 }
 
+static bool all_seen(const struct live_input *input)
+{
+    return input->latency.flip.count == (int64_t)controls_counts(input->controls).actions;
+}
+
 static void what_a_finger_does_is_followed_to_the_frame_that_shows_it(void **state)
 {
     (void)state;
@@ -108,7 +113,7 @@ static void what_a_finger_does_is_followed_to_the_frame_that_shows_it(void **sta
                   0.1f + 0.08f * (float)(frames % 10));
         }
     }
-    for (int i = 0; place.input.latency.waiting_count > 0 && i < PATIENCE_FRAMES; i++) {
+    for (int i = 0; !all_seen(&place.input) && i < PATIENCE_FRAMES; i++) {
         turn(&place);
     }
     struct latency_figures tick = latency_figures(&place.input.latency.tick);
