@@ -422,11 +422,14 @@ static void more_than_anybody_can_do_is_dropped_and_counted(void **state)
 {
     (void)state;
     struct place place = open_place("bindings: [{usage: Button 1, drop: {}}]\n");
+    int drops = 0;
     for (uint32_t i = 0; i < 1000; i++) {
         control(&place, SOURCE_HID, 1 + i % 20, BUTTON_1, 1);
         control(&place, SOURCE_HID, 1 + i % 20, BUTTON_1, 0);
+        drops += i % 10 == 0 ? count_actions(&place, ACTION_DROP) : 0; /* however often they are taken */
     }
-    assert_int_equal(count_actions(&place, ACTION_DROP), CONTROLS_ACTIONS);
+    drops += count_actions(&place, ACTION_DROP);
+    assert_int_equal(drops, CONTROLS_ACTIONS);
     assert_int_equal(controls_counts(place.controls).dropped, 1000 - CONTROLS_ACTIONS);
     wait_ms(&place, 20);
     control(&place, SOURCE_HID, 1, BUTTON_1, 1);
