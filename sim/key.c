@@ -56,6 +56,9 @@ const char *key_suggest(const struct key *keys, const char *misspelt)
         return NULL;
     }
     for (; keys->name; keys++) {
+        if (strlen(keys->name) > LONGEST_NAME) { /* a word of the curator's own */
+            continue;
+        }
         int d = distance(misspelt, keys->name);
         if (d < least && 2 * d < length) {
             least = d;
@@ -94,6 +97,9 @@ void key_defaults(const struct key *keys, void *object)
             break;
         case KEY_PATH:
             memset(at, 0, sizeof(struct action_path));
+            break;
+        case KEY_TEXT:
+            memset(at, 0, sizeof(const char *));
             break;
         case KEY_RASTER:
         case KEY_PICTURE:

@@ -248,6 +248,38 @@ static int by_size(const void *a, const void *b)
     return (left > right) - (left < right);
 }
 
+/* Whoever measures delays is told when what an event caused was taken, and which fields are the first to hold it. */
+static void it_tells_which_fields_hold_what_was_posted(void **state)
+{
+    struct place *place = *state;
+    struct studio_consumed consumed = {.number = 0};
+    bool fresh;
+    open_studio(place, ENGINE_CPU);
+    wait_end(place);
+    becomes(place, 0.5f, 0.5f, 0.5f, 3);
+    uint64_t before = studio_newest(place->studio, &fresh)->number;
+    struct action drop = action_default(ACTION_DROP);
+    drop.at = (struct point){0.8f, 0.8f};
+    drop.has_at = true;
+    assert_false(studio_consumed(place->studio, &consumed));
+    uint64_t event_us = now_us();
+    assert_true(studio_post_event(place->studio, &drop, event_us));
+    assert_true(studio_post(place->studio, &drop)); /* that no event has caused */
+    for (int waited = 0; !studio_consumed(place->studio, &consumed) && waited < PATIENCE_MS; waited += 5) {
+        nap();
+    }
+    assert_true(consumed.event_us == event_us && consumed.tick_us >= event_us - 1 && consumed.tick_us <= now_us());
+    assert_true(consumed.number > before);
+    const struct fields *fields = studio_newest(place->studio, &fresh);
+    for (int waited = 0; fields->number < consumed.number && waited < PATIENCE_MS; waited += 5) {
+        nap();
+        fields = studio_newest(place->studio, &fresh);
+    }
+    assert_true(fields->number >= consumed.number);
+    assert_true(depth_at(place, 0.8f, 0.8f) >= 0.5f);
+    assert_false(studio_consumed(place->studio, &consumed));
+}
+
 /* While a tick takes long, whoever asks for the newest picture has an answer at once. */
 static void a_frame_never_waits_for_a_tick(void **state)
 {
@@ -310,6 +342,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_painting_of_the_cpu_goes_to_another_grid, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_painting_of_the_gpu_goes_to_another_grid, set_up, tear_down),
         cmocka_unit_test_setup_teardown(it_rests_while_nobody_looks, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(it_tells_which_fields_hold_what_was_posted, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_frame_never_waits_for_a_tick, set_up, tear_down),
         cmocka_unit_test_setup_teardown(paths_are_copied_and_long_ones_refused, set_up, tear_down),
     };
