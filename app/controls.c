@@ -369,3 +369,10 @@ int controls_cursors(const struct controls *controls, struct controls_cursor *cu
     }
     return count;
 }
+
+bool controls_undo(struct controls *controls)
+{
+    bool undo = controls->undo;
+    controls->undo = false;
+    return undo;
+}

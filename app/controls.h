@@ -50,6 +50,8 @@ int controls_timeout_ms(const struct controls *controls, uint64_t now_us);
  * it, 0 where none did (a value that still follows, a point that still moves). */
 bool controls_action(struct controls *controls, struct action *action, uint64_t *time_us);
 
+/* Whether somebody has asked, since the last call, that what was done last be undone. */
+bool controls_undo(struct controls *controls);
 /* Whether anybody has a finger or a button down. */
 bool controls_are_held(const struct controls *controls);
 

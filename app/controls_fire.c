@@ -101,6 +101,10 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         change_ink(controls, cause);
         return;
     }
+    if (binding->what == DO_UNDO) {
+        controls->undo = true;
+        return;
+    }
     if (binding->what != DO_VERB) {
         controls_nudge(controls, index, cause);
         return;

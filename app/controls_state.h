@@ -61,6 +61,7 @@ struct controls {
     struct stroke strokes[GESTURE_FINGERS];
     bool paired[GESTURE_FINGERS]; /* the stroke is that of two fingers */
     int next_ink, shared_ink;
+    bool undo; /* asked for, and not yet taken */
     struct owner owners[OWNERS];
     struct contact contacts[CONTACTS];
     struct known known[KNOWN];

@@ -78,7 +78,7 @@ void controls_move(struct controls *controls, int index, const struct event *eve
     }
     if (binding->what == DO_CURSOR) {
         point_at(&controls->owners[cause->owner], binding, event);
-    } else if (binding->what != DO_VERB && binding->what != DO_NEXT_INK) {
+    } else if (binding_follows(binding)) {
         if (!event->null) {
             axis_feel(&controls->axes[index], &binding->axis, event->value, event->relative, event->centred);
             controls->axis_time_us[index] = event->time_us;
@@ -107,7 +107,7 @@ void controls_move_finger(struct controls *controls, int index, const struct ges
         float x = pinch ? gesture->value : gesture->at.x - gesture->from.x;
         float y = pinch ? gesture->value : gesture->at.y - gesture->from.y;
         shift(owner, binding->across == 1 ? 0 : x, binding->across == 0 ? 0 : y, gesture->time_us);
-    } else if (binding->what != DO_VERB && binding->what != DO_NEXT_INK) {
+    } else if (binding_follows(binding)) {
         float steps = binding->axis.steps * (pinch ? up * PINCH_STEPS : up);
         axis_feel(&controls->axes[index], &binding->axis, steps, true, false);
         controls->axis_time_us[index] = gesture->time_us;

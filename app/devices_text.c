@@ -43,11 +43,11 @@ static void end_words(struct words *words)
     }
 }
 
-/* Consecutive usages as one: "Button 1 to Button 12". */
+/* Consecutive buttons as one: "Button 1 to Button 12". */
 static int run_of(const struct hid_control *controls, int count)
 {
     int length = 1;
-    while (length < count && controls[0].kind != HID_ARRAY &&
+    while (length < count && controls[0].kind == HID_BUTTON &&
            controls[length].usage == controls[0].usage + (uint32_t)length &&
            controls[length].kind == controls[0].kind) {
         length++;
@@ -105,7 +105,7 @@ static void print_device(const struct source *source, const struct device *devic
     if (device->vendor || device->product) {
         fprintf(out, " %04x:%04x", device->vendor, device->product);
     }
-    fprintf(out, " %s%s%s, %s\n", device->path, *device->port ? " at " : "", device->port,
+    fprintf(out, "%s%s%s%s, %s\n", *device->path ? " " : "", device->path, *device->port ? " at " : "", device->port,
             device->admitted ? "admitted" : "not admitted");
     if (strcmp(source->ops->name, "hid") == 0) {
         const struct hid_descriptor *descriptor = source_hid_descriptor(source, device->id);

@@ -83,7 +83,8 @@ enum binding_touch { TOUCH_PRESS, TOUCH_TAP, TOUCH_LONG, TOUCH_DRAG, TOUCH_TWO, 
 enum { BINDING_MOVE = PRESS_WHENS, BINDING_WHENS };
 enum binding_way { WAY_ANY, WAY_UP, WAY_DOWN, WAY_LEFT, WAY_RIGHT };
 enum binding_where { WHERE_THERE, WHERE_SHEET };
-enum binding_do { DO_VERB, DO_NEXT_INK, DO_CURSOR, DO_TURN, DO_DIAL };
+/* What happens once, then what follows a value. */
+enum binding_do { DO_VERB, DO_NEXT_INK, DO_UNDO, DO_CURSOR, DO_TURN, DO_DIAL };
 enum binding_parameter { PARAMETER_RADIUS, PARAMETER_SOLVENT, PARAMETER_AMOUNT, PARAMETERS };
 
 struct binding {
@@ -115,6 +116,11 @@ struct binding {
         int ms;
     } length;
 };
+
+static inline bool binding_follows(const struct binding *binding)
+{
+    return binding->what >= DO_CURSOR;
+}
 
 struct inputs {
     int version;

@@ -204,7 +204,7 @@ static void read_when(struct reader *reader, const struct yaml_node *item, struc
         [TOUCH_DRAG] = BINDING_MOVE, [TOUCH_TWO] = BINDING_MOVE, [TOUCH_PINCH] = BINDING_MOVE};
     const struct yaml_node *when = yaml_get(item, "when");
     bool touch = binding->source == BINDING_TOUCH, encoder = binding->source == BINDING_ENCODER;
-    bool value = binding->what != DO_VERB && binding->what != DO_NEXT_INK;
+    bool value = binding_follows(binding);
     size_t length = reader_enter(reader, "when");
     if (when && touch && binding->touch != TOUCH_PRESS) {
         reader_problem(reader, when, "goes with touch: press alone; the others are conditions themselves");
@@ -323,7 +323,7 @@ static void read_what(struct reader *reader, const struct parts *parts, struct b
         read_cursor(reader, node, binding);
     } else {
         static const struct key nothing[] = {{.name = NULL}};
-        binding->what = DO_NEXT_INK;
+        binding->what = strcmp(parts->what_name, "undo") == 0 ? DO_UNDO : DO_NEXT_INK;
         mapping_read(reader, nothing, node, binding, NULL);
     }
     reader_leave(reader, length);

@@ -16,6 +16,7 @@ const char *inputs_default_text(void)
            "  - {usage: Button 2, brush_solvent: {}}\n"
            "  - {usage: Button 2, brush_ink: {}}\n"
            "  - {usage: Button 3, next_ink: {}}\n"
+           "  - {usage: Button 4, undo: {}}\n"
            "  # Space mice: a twist; knobs: a turn.\n"
            "  - {usage: Rz, turn: {coefficient: s_max, from: 0.1, to: 0.6, dead_zone: 0.15}}\n"
            "  - {usage: Dial, turn: {coefficient: s_max, from: 0.1, to: 0.6}}\n"

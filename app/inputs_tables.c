@@ -167,6 +167,7 @@ const struct key binding_keys[] = {
 
 const struct key binding_do_keys[] = {
     SECTION("next_ink", "Action: the visitor's next ink."),
+    SECTION("undo", "Action: the painting as it was before what visitors did last."),
     SECTION("cursor", "Action: moves the controller's point on the sheet."),
     SECTION("turn", "Action: sets a coefficient to where an axis or a dial stands."),
     SECTION("dial", "Action: sets a parameter of all drops to come to where an axis or a dial stands."),

@@ -102,6 +102,9 @@ void live_input_feel(struct live_input *input, struct display *display, struct s
     while (controls_action(input->controls, &action, &time_us)) {
         input->refused += !studio_post_event(studio, &action, time_us);
     }
+    if (controls_undo(input->controls)) {
+        studio_undo(studio);
+    }
     light(input);
 }
 

@@ -11,15 +11,6 @@ struct studio_def studio_default_def(void)
     return (struct studio_def){.engine = ENGINE_CPU, .ticks_per_second = STUDIO_TICKS_PER_SECOND};
 }
 
-/* Room for two checkpoints: one whole, one in the making. */
-static bool prepare(struct studio *studio)
-{
-    struct painting_def painting = studio_painting(studio, 1);
-    studio->publisher = publisher_create(studio->def.xray);
-    return studio->publisher && (studio->def.engine != ENGINE_GPU || (checkpoint_init(&studio->whole, &painting) &&
-                                                                      checkpoint_init(&studio->partial, &painting)));
-}
-
 /* Starts the thread and waits until it has its engine, or has not. */
 static bool start(struct studio *studio, struct display *display, struct studio_error *error)
 {
@@ -79,9 +70,9 @@ struct studio *studio_create(const struct studio_def *def, struct display *displ
     pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
     pthread_cond_init(&studio->changed, &attributes);
     pthread_condattr_destroy(&attributes);
-    if (!prepare(studio)) {
-        snprintf(error->text, sizeof error->text, "memory is short for a sheet of %dx%d cells", def->script->width,
-                 def->script->height);
+    studio->publisher = publisher_create(def->xray);
+    if (!studio->publisher) {
+        snprintf(error->text, sizeof error->text, "memory is short");
         studio_destroy(studio);
         return NULL;
     }
@@ -102,6 +93,7 @@ void studio_destroy(struct studio *studio)
     publisher_destroy(studio->publisher, false);
     checkpoint_finish(&studio->whole);
     checkpoint_finish(&studio->partial);
+    checkpoint_finish(&studio->before);
     pthread_cond_destroy(&studio->changed);
     pthread_mutex_destroy(&studio->lock);
     free(studio);
@@ -149,6 +141,14 @@ bool studio_consumed(struct studio *studio, struct studio_consumed *consumed)
 const struct fields *studio_newest(struct studio *studio, bool *fresh)
 {
     return publisher_newest(studio->publisher, fresh);
+}
+
+void studio_undo(struct studio *studio)
+{
+    pthread_mutex_lock(&studio->lock);
+    studio->undo = true;
+    pthread_cond_broadcast(&studio->changed);
+    pthread_mutex_unlock(&studio->lock);
 }
 
 void studio_rest(struct studio *studio, bool rest)

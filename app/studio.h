@@ -21,6 +21,7 @@
 enum {
     STUDIO_TICKS_PER_SECOND = 60,
     STUDIO_CHECKPOINT_S = 4, /* from one rolling checkpoint to the next */
+    STUDIO_PAUSE_MS = 1000,  /* between what was posted: then something new begins, which can be undone */
     STUDIO_PATH = 8,         /* points of a path that is posted */
     STUDIO_CONSUMED = 512,
 };
@@ -60,6 +61,9 @@ struct studio_consumed {
 };
 /* What has been taken since the last call, of that which events have caused; false: no more. Keeps STUDIO_CONSUMED. */
 bool studio_consumed(struct studio *studio, struct studio_consumed *consumed);
+/* Takes back what was posted last: the painting is again as it was before it began, after the last pause of
+ * STUDIO_PAUSE_MS. Once; a second time only after something else was posted. */
+void studio_undo(struct studio *studio);
 /* The newest fields that are ready, for the display's thread: publisher_newest. */
 const struct fields *studio_newest(struct studio *studio, bool *fresh);
 /* Nobody sees it: no ticks until told otherwise. */

@@ -83,6 +83,16 @@ static void note_consumed(struct studio *studio, uint64_t event_us)
         (struct studio_consumed){event_us, (uint64_t)(1e6 * bench_wall_s()), studio->published + 1};
 }
 
+/* After a pause something new begins: the painting is kept as it is before. */
+static void keep_before(struct studio *studio)
+{
+    double now = bench_wall_s();
+    if (now - studio->posted_s > 1e-3 * STUDIO_PAUSE_MS) {
+        studio->has_before = studio->engine->ops->save(studio->engine, &studio->before);
+    }
+    studio->posted_s = now;
+}
+
 /* Takes what was posted; the lock is not held while the engine works. */
 static void empty_inbox(struct studio *studio)
 {
@@ -102,6 +112,7 @@ static void empty_inbox(struct studio *studio)
         if (!any) {
             return;
         }
+        keep_before(studio);
         act_and_keep(studio, &posted);
     }
 }
@@ -161,10 +172,34 @@ static bool fit_checkpoints(struct studio *studio, const struct painting_def *de
 {
     checkpoint_finish(&studio->whole);
     checkpoint_finish(&studio->partial);
-    studio->has_whole = studio->taking = false;
+    checkpoint_finish(&studio->before);
+    studio->has_whole = studio->taking = studio->has_before = false;
     studio->journal_count = studio->journal_kept = 0;
-    return studio->def.engine != ENGINE_GPU ||
-           (checkpoint_init(&studio->whole, def) && checkpoint_init(&studio->partial, def));
+    return checkpoint_init(&studio->before, def) &&
+           (studio->def.engine != ENGINE_GPU ||
+            (checkpoint_init(&studio->whole, def) && checkpoint_init(&studio->partial, def)));
+}
+
+/* The painting as it was before what was posted last. What the script does from then on, it does again. */
+static void take_back(struct studio *studio)
+{
+    const struct script *script = studio->def.script;
+    pthread_mutex_lock(&studio->lock);
+    bool wanted = studio->undo && studio->has_before;
+    studio->undo = false;
+    pthread_mutex_unlock(&studio->lock);
+    if (!wanted || !studio->engine->ops->load(studio->engine, &studio->before)) {
+        return;
+    }
+    studio->has_before = studio->has_whole = studio->taking = false; /* rolling checkpoints hold what is gone */
+    studio->journal_count = studio->journal_kept = 0;
+    studio->posted_s = 0;
+    studio->changed_since = true;
+    for (studio->next_action = 0; studio->next_action < script->action_count; studio->next_action++) {
+        if (script->actions[studio->next_action].tick > session_tick(studio)) {
+            break;
+        }
+    }
 }
 
 /* The painting on another grid. When that fails the old one stays. */
@@ -244,6 +279,7 @@ static void measure(struct studio *studio, double began, bool ticked)
 static bool tick(struct studio *studio)
 {
     double began = bench_wall_s();
+    take_back(studio);
     act_script(studio);
     empty_inbox(studio);
     bool ticks = session_tick(studio) < studio->def.script->ticks;

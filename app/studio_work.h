@@ -32,7 +32,7 @@ struct studio {
     pthread_mutex_t lock; /* of what follows, to the empty line */
     pthread_cond_t changed;
     enum studio_started started;
-    bool stop, rest;
+    bool stop, rest, undo;
     float scale; /* wanted */
     struct studio_action inbox[STUDIO_INBOX];
     int inbox_count;
@@ -51,6 +51,9 @@ struct studio {
     int64_t session_start; /* tick of the engine at which the session began */
     int64_t rest_ticks;    /* since the session ended */
     struct checkpoint whole, partial;
+    struct checkpoint before; /* what was posted last began */
+    bool has_before;
+    double posted_s;                              /* when something was posted last */
     bool has_whole, taking;                       /* `partial` is being taken */
     struct studio_action journal[STUDIO_JOURNAL]; /* done since `partial`, or if none is being taken `whole`, began */
     int journal_count, journal_kept;              /* `kept`: how many of them `partial` holds already */

@@ -310,6 +310,20 @@ static void gestures_reach_actions(void **state)
     close_place(&place);
 }
 
+static void undo_is_asked_for_once(void **state)
+{
+    (void)state;
+    struct place place = open_place("bindings: [{usage: Button 1, when: long, undo: {}}]\n");
+    control(&place, SOURCE_HID, 1, BUTTON_1, 1);
+    assert_false(controls_undo(place.controls));
+    place.now_us += 1000000;
+    control(&place, SOURCE_HID, 1, BUTTON_1, 0);
+    assert_true(controls_undo(place.controls));
+    assert_false(controls_undo(place.controls));
+    assert_false(take(&place)); /* it lays nothing on the sheet */
+    close_place(&place);
+}
+
 static void two_visitors_own_an_ink_each(void **state)
 {
     (void)state;
@@ -445,6 +459,7 @@ int main(void)
         cmocka_unit_test(conditions_of_buttons),
         cmocka_unit_test(dials_turn_coefficients_and_drops),
         cmocka_unit_test(gestures_reach_actions),
+        cmocka_unit_test(undo_is_asked_for_once),
         cmocka_unit_test(two_visitors_own_an_ink_each),
         cmocka_unit_test(axes_and_hats_can_be_buttons),
         cmocka_unit_test(a_binding_hears_its_controller_alone),

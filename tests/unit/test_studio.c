@@ -214,6 +214,36 @@ static void a_painting_of_the_gpu_goes_to_another_grid(void **state)
     changes_grid(*state, ENGINE_GPU);
 }
 
+/* What was posted last goes, what was there before stays, and the session goes on. */
+static void takes_back(struct place *place, enum engine_kind engine)
+{
+    open_studio(place, engine);
+    wait_end(place);
+    struct action drop = action_default(ACTION_DROP);
+    drop.at = (struct point){0.8f, 0.8f};
+    drop.has_at = true;
+    assert_true(studio_post(place->studio, &drop));
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    studio_undo(place->studio);
+    becomes(place, 0.8f, 0.8f, 0, 0.01f);
+    becomes(place, 0.5f, 0.5f, 0.5f, 3);
+    studio_undo(place->studio); /* once: there is nothing more to take back */
+    assert_true(studio_post(place->studio, &drop));
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    becomes(place, 0.2f, 0.2f, 0.5f, 3);
+    assert_int_equal(studio_report(place->studio).ticks, 60);
+}
+
+static void what_was_done_last_on_the_cpu_is_undone(void **state)
+{
+    takes_back(*state, ENGINE_CPU);
+}
+
+static void what_was_done_last_on_the_gpu_is_undone(void **state)
+{
+    takes_back(*state, ENGINE_GPU);
+}
+
 static void it_rests_while_nobody_looks(void **state)
 {
     struct place *place = *state;
@@ -341,6 +371,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_painting_of_the_gpu_survives_a_reset, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_painting_of_the_cpu_goes_to_another_grid, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_painting_of_the_gpu_goes_to_another_grid, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(what_was_done_last_on_the_cpu_is_undone, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(what_was_done_last_on_the_gpu_is_undone, set_up, tear_down),
         cmocka_unit_test_setup_teardown(it_rests_while_nobody_looks, set_up, tear_down),
         cmocka_unit_test_setup_teardown(it_tells_which_fields_hold_what_was_posted, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_frame_never_waits_for_a_tick, set_up, tear_down),
