@@ -8,8 +8,10 @@
 const struct command commands[] = {
     {"run", "[SCRIPT]", "the demonstration, or a session, rendered to out/", command_run},
     {"render", "SCRIPT -o FILE.png", "a session without a display", command_render},
-    {"check", "SCRIPT...", "prints every problem of session scripts", command_check},
-    {"explain", "[KEY]", "every key of a session script: type, range, default, meaning", command_explain},
+    {"check", "FILE...", "prints every problem of session scripts and inputs files", command_check},
+    {"explain", "[KEY]", "every key of session scripts and inputs files: type, range, default, meaning",
+     command_explain},
+    {"devices", "[--watch]", "what is plugged in, what is missing, and how to mend it", command_devices},
     {"bench", "[NAME] [--json]", "the measurements in the README", command_bench},
     {.name = NULL},
 };

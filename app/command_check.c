@@ -1,16 +1,35 @@
 #include <getopt.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "command.h"
+#include "inputs.h"
 #include "option.h"
 #include "pictures.h"
 #include "script.h"
 
 static const char HELP[] =
-    "usage: frond check SCRIPT...\n\n"
-    "Reads session scripts, with their formulas and pictures, and prints every problem as\n"
+    "usage: frond check FILE...\n\n"
+    "Reads session scripts and inputs files, with their formulas and pictures, and prints every problem as\n"
     "file:line:column: key: what was found; what is allowed. Prints nothing when all is well.\n\n"
     "Exit status: 0 all are valid, 1 one is not, 2 the command line is wrong.\n";
+
+/* A session script, or by its key `inputs` an inputs file. */
+static void check(const char *path, const struct script_def *def, struct report *report)
+{
+    size_t size = 0;
+    char *text = script_load(path, &size, report);
+    char *folder = script_folder(path);
+    if (text && folder && inputs_is(text, size)) {
+        inputs_destroy(inputs_parse(text, size, folder, NULL, def, report));
+    } else if (text && folder) {
+        script_destroy(script_parse(text, size, folder, def, report));
+    } else if (text) {
+        report_add(report, 0, 0, "", "memory is short");
+    }
+    free(folder);
+    free(text);
+}
 
 int command_check(int argc, char *argv[])
 {
@@ -34,10 +53,9 @@ int command_check(int argc, char *argv[])
     for (int i = optind; i < argc; i++) {
         struct report report;
         report_init(&report, argv[i]);
-        struct script *script = script_read(argv[i], &def, &report);
+        check(argv[i], &def, &report);
         report_print(&report, stderr);
-        status = script ? status : EXIT_STATUS_FAILED;
-        script_destroy(script);
+        status = report_empty(&report) ? status : EXIT_STATUS_FAILED;
         report_finish(&report);
     }
     return status;

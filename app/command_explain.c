@@ -3,18 +3,30 @@
 
 #include "command.h"
 #include "explain.h"
+#include "inputs.h"
 #include "option.h"
 #include "script_value.h"
 
-static const char HELP[] = "usage: frond explain [KEY]\n\n"
-                           "Every key of a session script: type, range, unit, default and meaning. KEY is a key\n"
-                           "(radius), a key with its place (drop.radius), a verb (drop), a section (canvas), or the\n"
-                           "name of a coefficient, a brush, an ink or a palette.\n";
+static const char HELP[] =
+    "usage: frond explain [KEY]\n\n"
+    "Every key of session scripts and inputs files: type, range, unit, default and meaning. KEY is a key\n"
+    "(radius), a key with its place (drop.radius), a verb (drop), a section (canvas; inputs:\n"
+    "all of an inputs file), or the name of a coefficient, a brush, an ink or a palette.\n";
+
+static struct names names_of_inputs(void)
+{
+    struct names names = {.count = 0};
+    for (const struct inputs_table *table = inputs_tables; table->name; table++) {
+        names.names[names.count++] = table->name;
+    }
+    return names;
+}
 
 static void suggest(const char *asked)
 {
     struct names names = names_of_keys(script_keys);
-    struct names more[] = {names_of_verbs(), names_of_keys(coefficient_keys), names_of_keys(canvas_keys)};
+    struct names more[] = {names_of_verbs(), names_of_keys(coefficient_keys), names_of_keys(canvas_keys),
+                           names_of_inputs()};
     for (size_t i = 0; i < sizeof more / sizeof *more; i++) {
         for (int k = 0; k < more[i].count && names.count < NAMES_MAX; k++) {
             names.names[names.count++] = more[i].names[k];

@@ -25,6 +25,8 @@ static const char HELP[] =
     "      --connector NAME  kms: where the screen is plugged in, HDMI-A-1\n"
     "      --mode WxH[@HZ]   pixels of the screen or the window; what it prefers if left out\n"
     "      --rotate DEGREES  0, 90, 180 or 270, clockwise; touch turns along\n"
+    "      --inputs FILE     what visitors do, and with which devices (frond explain inputs); else fingers\n"
+    "                        paint, gamepads have a point on the sheet, dials turn coefficients\n"
     "      --engine KIND     auto (the faster, by timing both once on this machine), cpu, gpu\n"
     "      --rate N          ticks a second, 1 to 1000; 60 if left out\n"
     "      --ticks N         instead of the script's\n"
@@ -84,6 +86,7 @@ enum {
     CONNECTOR,
     MODE,
     ROTATE,
+    INPUTS,
     ENGINE,
     RATE,
     TICKS,
@@ -100,8 +103,9 @@ enum {
 struct order {
     struct display_def display;
     struct live_def live;
-    bool none; /* no display at all: render */
-    int ticks; /* -1: the script's */
+    bool none;          /* no display at all: render */
+    int ticks;          /* -1: the script's */
+    const char *inputs; /* path; NULL: the default ones */
 };
 
 static int wrong(const char *option, const char *found, const char *allowed)
@@ -192,6 +196,9 @@ static int take_live_option(struct order *order, int option)
         }
         order->live.frames = whole;
         return -1;
+    case INPUTS:
+        order->inputs = optarg;
+        return -1;
     case ONCE:
         order->live.once = true;
         return -1;
@@ -212,7 +219,7 @@ static int take_live_option(struct order *order, int option)
     }
 }
 
-static int show(struct script *script, const char *path, const struct order *order)
+static int show(struct script *script, const char *path, const struct order *order, const struct inputs *inputs)
 {
     struct display_error error;
     if (order->none) {
@@ -232,9 +239,30 @@ static int show(struct script *script, const char *path, const struct order *ord
     if (size.width > 0 && size.height > 0) {
         script_fit(script, size.width, size.height);
     }
-    bool good = live(script, display, &order->live);
+    struct live_def def = order->live;
+    def.rotation = order->display.rotation;
+    def.inputs = inputs;
+    bool good = live(script, display, &def);
     display_destroy(display);
     return good ? EXIT_STATUS_GOOD : EXIT_STATUS_FAILED;
+}
+
+/* With the inputs that were asked for, which are for this script's inks. */
+static int show_with_inputs(struct script *script, const char *path, const struct order *order)
+{
+    struct script_def def = script_default_def();
+    struct report report;
+    if (!order->inputs) {
+        return show(script, path, order, NULL);
+    }
+    def.load = pictures_load;
+    report_init(&report, order->inputs);
+    struct inputs *inputs = inputs_read(order->inputs, script, &def, &report);
+    report_print(&report, stderr);
+    report_finish(&report);
+    int status = inputs ? show(script, path, order, inputs) : EXIT_STATUS_FAILED;
+    inputs_destroy(inputs);
+    return status;
 }
 
 static int run_script(const char *path, const struct order *order)
@@ -248,7 +276,7 @@ static int run_script(const char *path, const struct order *order)
     report_print(&report, stderr);
     if (script) {
         script->ticks = order->ticks >= 0 ? order->ticks : script->ticks;
-        status = show(script, path, order);
+        status = show_with_inputs(script, path, order);
     }
     script_destroy(script);
     report_finish(&report);
@@ -263,6 +291,7 @@ static int read_order(int argc, char *argv[], struct order *order)
                                             {"connector", required_argument, NULL, CONNECTOR},
                                             {"mode", required_argument, NULL, MODE},
                                             {"rotate", required_argument, NULL, ROTATE},
+                                            {"inputs", required_argument, NULL, INPUTS},
                                             {"engine", required_argument, NULL, ENGINE},
                                             {"rate", required_argument, NULL, RATE},
                                             {"ticks", required_argument, NULL, TICKS},

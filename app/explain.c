@@ -5,6 +5,7 @@
 #include "action.h"
 #include "brush.h"
 #include "ink.h"
+#include "inputs.h"
 #include "script.h"
 #include "script_value.h"
 
@@ -19,17 +20,12 @@ struct explaining {
 static const char *type_name(const struct key *key)
 {
     static const char *const NAMES[] = {
-        [KEY_NUMBER] = "number",
-        [KEY_INTEGER] = "whole number",
-        [KEY_FLAG] = "flag",
-        [KEY_CHOICE] = "choice",
-        [KEY_POINT] = "point",
-        [KEY_PATH] = "path",
-        [KEY_INK] = "ink",
-        [KEY_BRUSH] = "brush",
-        [KEY_RASTER] = "expression",
-        [KEY_PICTURE] = "path",
-        [KEY_COEFFICIENT] = "coefficient",
+        [KEY_NUMBER] = "number",     [KEY_INTEGER] = "whole number",
+        [KEY_FLAG] = "flag",         [KEY_CHOICE] = "choice",
+        [KEY_POINT] = "point",       [KEY_PATH] = "path",
+        [KEY_INK] = "ink",           [KEY_BRUSH] = "brush",
+        [KEY_RASTER] = "expression", [KEY_PICTURE] = "path",
+        [KEY_TEXT] = "text",         [KEY_COEFFICIENT] = "coefficient",
     };
     return strcmp(key->unit, "section") == 0 ? "section" : NAMES[key->type];
 }
@@ -126,6 +122,19 @@ static void explain_names(struct explaining *explaining)
     }
 }
 
+/* All of them for "inputs"; one by its name, or by a key of it. */
+static void explain_inputs(struct explaining *explaining)
+{
+    const char *asked = explaining->asked;
+    if (asked && strcmp(asked, "inputs") == 0) {
+        explaining->asked = NULL;
+    }
+    for (const struct inputs_table *table = inputs_tables; table->name; table++) {
+        explain_keys(explaining, table->name, table->about, table->keys);
+    }
+    explaining->asked = asked;
+}
+
 bool explain(const char *asked, FILE *out)
 {
     struct explaining explaining = {.asked = asked, .out = out};
@@ -137,6 +146,7 @@ bool explain(const char *asked, FILE *out)
         enum action_verb verb = (enum action_verb)i;
         explain_keys(&explaining, action_name(verb), action_meaning(verb), action_keys(verb));
     }
+    explain_inputs(&explaining);
     explain_names(&explaining);
     return explaining.found;
 }

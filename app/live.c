@@ -11,10 +11,10 @@
 #include <unistd.h>
 
 #include "bench.h"
-#include "hands.h"
 #include "image.h"
 #include "limits.h"
 #include "live_care.h"
+#include "live_input.h"
 #include "live_picture.h"
 #include "script_sheet.h"
 #include "studio.h"
@@ -34,7 +34,7 @@ struct live {
     struct studio *studio;
     struct live_picture picture;
     struct live_care care;
-    struct hands hands;
+    struct live_input input;
     struct shader_folder folder;
     int signals; /* a descriptor that becomes readable when it is time to go */
     enum display_state state;
@@ -91,13 +91,10 @@ static bool told_to_go(const struct live *live)
 
 static void feel(struct live *live)
 {
-    struct event event;
-    struct action actions[HANDS_ACTIONS];
-    while (display_event(live->display, &event)) {
-        int count = hands_feel(&live->hands, &event, actions);
-        for (int i = 0; i < count; i++) {
-            studio_post(live->studio, &actions[i]);
-        }
+    char line[400];
+    live_input_feel(&live->input, live->display, live->studio);
+    while (live_input_log(&live->input, line, sizeof line)) {
+        say("%s", line);
     }
 }
 
@@ -112,6 +109,7 @@ static void note_state(struct live *live)
     }
     if (state != live->state) {
         studio_rest(live->studio, state != DISPLAY_SHOWN);
+        live_input_unseen(&live->input);
     }
     live->state = state;
     snprintf(live->described, sizeof live->described, "%s", text);
@@ -142,10 +140,11 @@ static bool draw(struct live *live)
         say("%s", error.text);
         return false;
     }
+    live_input_draws(&live->input, live->display, fields->number);
     display_end(live->display);
     if (live->def->governed && live->presented_s > 0 && fresh) {
-        const char *line =
-            live_care_frame(&live->care, live->studio, 1000 * (now - live->presented_s), hands_are_down(&live->hands));
+        const char *line = live_care_frame(&live->care, live->studio, 1000 * (now - live->presented_s),
+                                           controls_are_held(live->input.controls));
         if (line) {
             say("%s", line);
         }
@@ -163,6 +162,7 @@ static bool recover(struct live *live)
     double start = bench_wall_s();
     say("GL is lost");
     live_picture_finish(&live->picture);
+    live_input_unseen(&live->input);
     studio_suspend(live->studio);
     while (!display_renew(live->display, &display_error)) {
         if (told_to_go(live)) {
@@ -204,6 +204,10 @@ static void say_totals(struct live *live)
     say("%llu frames presented, %llu vertical blanks missed, %lld ticks of %.1f ms",
         (unsigned long long)frames.presented, (unsigned long long)frames.missed, (long long)report.ticks,
         report.tick_ms);
+    char text[200];
+    if (*latency_text(&live->input.latency, text, sizeof text)) {
+        say("delays %s", text);
+    }
 }
 
 static bool write_shot(const struct live *live)
@@ -227,7 +231,7 @@ static bool run(struct live *live)
 {
     bool good = true;
     while (good && !told_to_go(live)) {
-        display_wait(live->display, WAIT_MS);
+        display_wait(live->display, live_input_wait_ms(&live->input, WAIT_MS));
         if (display_lost(live->display)) {
             good = recover(live);
             continue;
@@ -263,21 +267,26 @@ static bool open_studio(struct live *live)
     return live->studio;
 }
 
+static bool open_input(struct live *live)
+{
+    bool good = live_input_open(&live->input, live->script, live->def->inputs, live->display, live->def->rotation);
+    if (!good) {
+        say("memory is short for what visitors do");
+    }
+    return good;
+}
+
 bool live(const struct script *script, struct display *display, const struct live_def *def)
 {
-    struct live live = {.script = script,
-                        .def = def,
-                        .display = display,
-                        .hands = {.inks = script->ink_count},
-                        .folder = {def->shaders},
-                        .state = display_state(display)};
+    struct live live = {
+        .script = script, .def = def, .display = display, .folder = {def->shaders}, .state = display_state(display)};
     live.signals = catch_signals();
     live_picture_init(&live.picture, script, def->xray, def->shaders ? &live.folder : NULL);
     snprintf(live.described, sizeof live.described, "%s", display_describe(display));
     say("display: %s", live.described);
     bool good = live.signals >= 0 &&
                 live_care_init(&live.care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
-                open_studio(&live);
+                open_input(&live) && open_studio(&live);
     if (good) {
         studio_rest(live.studio, live.state != DISPLAY_SHOWN);
         good = run(&live);
@@ -285,6 +294,7 @@ bool live(const struct script *script, struct display *display, const struct liv
         good = write_shot(&live) && good;
     }
     studio_destroy(live.studio);
+    live_input_close(&live.input);
     live_picture_finish(&live.picture);
     live_care_finish(&live.care);
     release_signals(live.signals);

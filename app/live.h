@@ -4,18 +4,21 @@
 
 #include "display.h"
 #include "engine_choice.h"
+#include "inputs.h"
 #include "program.h"
 #include "script.h"
 
 struct live_def {
     enum engine_kind engine;
-    const char *shaders;     /* folder of shader sources, looked at again when they change; NULL: the embedded ones */
-    const char *shot;        /* PNG of the last frame, written at the end; NULL: none */
-    int64_t frames;          /* end after so many; 0: when told to */
-    double ticks_per_second; /* 0: as fast as they come */
-    bool once;               /* the session is painted once and stays; else it begins again and again */
-    bool xray;               /* the layers instead of the picture */
-    bool governed;           /* less is computed where the machine is too slow or too hot */
+    const char *shaders; /* folder of shader sources, looked at again when they change; NULL: the embedded ones */
+    const struct inputs *inputs; /* what visitors do; NULL: the default (inputs.h) */
+    int rotation;                /* of the display, degrees clockwise: fingers turn along */
+    const char *shot;            /* PNG of the last frame, written at the end; NULL: none */
+    int64_t frames;              /* end after so many; 0: when told to */
+    double ticks_per_second;     /* 0: as fast as they come */
+    bool once;                   /* the session is painted once and stays; else it begins again and again */
+    bool xray;                   /* the layers instead of the picture */
+    bool governed;               /* less is computed where the machine is too slow or too hot */
 };
 
 struct live_def live_default_def(void);

@@ -258,7 +258,7 @@ struct script *script_parse(const char *text, size_t size, const char *folder, c
 }
 
 /* One byte more than is allowed, so that yaml_parse can tell. */
-static char *read_file(const char *path, size_t *size, struct report *report)
+char *script_load(const char *path, size_t *size, struct report *report)
 {
     FILE *file = fopen(path, "rb");
     char *text = file ? malloc(YAML_SIZE_MAX + 1) : NULL;
@@ -276,18 +276,23 @@ static char *read_file(const char *path, size_t *size, struct report *report)
     return text;
 }
 
+char *script_folder(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    if (!slash) {
+        return strdup(".");
+    }
+    return slash == path ? strdup("/") : strndup(path, (size_t)(slash - path)); /* "/a.yaml" is in "/" */
+}
+
 struct script *script_read(const char *path, const struct script_def *def, struct report *report)
 {
     size_t size = 0;
-    char *text = read_file(path, &size, report);
-    char *folder = strdup(path);
+    char *text = script_load(path, &size, report);
+    char *folder = script_folder(path);
     struct script *script = NULL;
     if (text && folder) {
-        char *slash = strrchr(folder, '/');
-        if (slash) {
-            slash[slash == folder] = '\0'; /* "/a.yaml" is in "/" */
-        }
-        script = script_parse(text, size, slash ? folder : ".", def, report);
+        script = script_parse(text, size, folder, def, report);
     }
     free(folder);
     free(text);

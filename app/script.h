@@ -66,6 +66,11 @@ struct script *script_read(const char *path, const struct script_def *def, struc
 struct script *script_parse(const char *text, size_t size, const char *folder, const struct script_def *def,
                             struct report *report);
 void script_destroy(struct script *script); /* takes NULL */
+/* The bytes of a file, for the caller to free; one more than YAML_SIZE_MAX where it is too large. NULL: see the report.
+ */
+char *script_load(const char *path, size_t *size, struct report *report);
+/* The folder that a file lies in, "." where the path has none; for the caller to free. NULL: memory is short. */
+char *script_folder(const char *path);
 
 /* The tables behind it, over struct script; each ends with a key whose name is NULL. In script_keys, a key with the
  * unit "section" is a list or a mapping of its own, and its type says nothing. */

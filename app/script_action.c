@@ -11,6 +11,7 @@ struct parameters {
     const struct key *coefficient;   /* that `set` sets; NULL for other verbs, or where it is wrong */
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
+    bool bound; /* place and ink may come later */
 };
 
 static bool take_values(struct reader *reader, const struct yaml_node *node, size_t count)
@@ -196,10 +197,10 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     if (parameters->formula && parameters->picture) {
         reader_problem(reader, node, "both a formula and a picture; one of them");
     }
-    if (verb == ACTION_GUIDE && !path && !raster) {
+    if (verb == ACTION_GUIDE && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; a path, a formula or a picture");
     }
-    if (verb == ACTION_MASK && !at && !path && !raster) {
+    if (verb == ACTION_MASK && !at && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
     }
     if (verb == ACTION_SET && parameters->coefficient) {
@@ -212,9 +213,16 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     }
 }
 
-static void read_parameters(struct reader *reader, const struct yaml_node *node, struct action *action)
+enum { PARAMETERS_MAX = 16 };
+
+static void read_parameters(struct reader *reader, const struct yaml_node *node, struct action *action, bool bound)
 {
-    const struct key *keys = action_keys(action->verb);
+    struct key keys[PARAMETERS_MAX + 1] = {{0}};
+    int count = key_count(action_keys(action->verb));
+    memcpy(keys, action_keys(action->verb), (size_t)count * sizeof *keys);
+    for (int i = 0; bound && i < count; i++) {
+        keys[i].required = keys[i].required && keys[i].type != KEY_POINT && keys[i].type != KEY_PATH;
+    }
     char found[128];
     struct yaml_node none = {.kind = YAML_MAPPING, .line = node->line, .column = node->column};
     if (node->kind == YAML_REFUSED) {
@@ -230,7 +238,7 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
                        names.count ? names_allowed(&names, "", allowed, sizeof allowed) : "{}");
         return;
     }
-    struct parameters parameters = {0};
+    struct parameters parameters = {.bound = bound};
     const struct yaml_node *coefficient = action->verb == ACTION_SET ? yaml_get(node, "coefficient") : NULL;
     if (coefficient && coefficient->kind == YAML_SCALAR) {
         parameters.coefficient = key_find(coefficient_keys, coefficient->text);
@@ -283,6 +291,14 @@ static void report_second(struct reader *reader, const struct yaml_node *at, con
     reader_leave(reader, length);
 }
 
+bool script_action_bound(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    int before = reader->report->count + reader->report->dropped;
+    action->ink = -1;
+    read_parameters(reader, node, action, true);
+    return reader->report->count + reader->report->dropped == before;
+}
+
 bool script_action_read(struct reader *reader, const struct yaml_node *node, struct action *action)
 {
     char found[128], allowed[512];
@@ -321,7 +337,7 @@ bool script_action_read(struct reader *reader, const struct yaml_node *node, str
     if (verb) {
         *action = action_default(action_find(verb->text));
         size_t length = reader_enter(reader, verb->text);
-        read_parameters(reader, verb->next, action);
+        read_parameters(reader, verb->next, action, false);
         reader_leave(reader, length);
     }
     if (tick) {

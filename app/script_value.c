@@ -92,6 +92,9 @@ const char *value_allowed(const struct key *key, char *buffer, size_t size)
     case KEY_COEFFICIENT:
         snprintf(buffer, size, "the name of a coefficient");
         break;
+    case KEY_TEXT:
+        snprintf(buffer, size, "%s, %.10g to %.10g bytes", *unit ? unit : "text", key->min, key->max);
+        break;
     case KEY_RASTER:
         snprintf(buffer, size, "an expression in x and y, or two of them for a field");
         break;
@@ -276,7 +279,31 @@ static bool read_path(struct reader *reader, const struct key *key, const struct
     return good;
 }
 
-/* An ink of the session. */
+static bool read_text(struct reader *reader, const struct key *key, const struct yaml_node *node, const char **text)
+{
+    char found[128], allowed[128];
+    if (node->kind == YAML_REFUSED) {
+        return false;
+    }
+    value_allowed(key, allowed, sizeof allowed);
+    if (node->kind != YAML_SCALAR || yaml_is_nothing(node)) {
+        reader_problem(reader, node, "%s where a text should be; %s", yaml_found(node, found, sizeof found), allowed);
+        return false;
+    }
+    size_t length = strlen(node->text);
+    if ((double)length < key->min || (double)length > key->max) {
+        reader_problem(reader, node, "a text of %zu bytes; %s", length, allowed);
+        return false;
+    }
+    char *copy = reader_take(reader, length + 1);
+    if (copy) {
+        memcpy(copy, node->text, length + 1);
+        *text = copy;
+    }
+    return copy;
+}
+
+/* An ink of the session; of any session where none is known. */
 static bool read_ink(struct reader *reader, const struct yaml_node *node, int *ink)
 {
     char found[128], allowed[1024];
@@ -284,6 +311,11 @@ static bool read_ink(struct reader *reader, const struct yaml_node *node, int *i
         return false;
     }
     struct names all = names_of_inks(), own = {.count = reader->script->ink_count};
+    if (own.count == 0) {
+        int any = 0;
+        *ink = 0;
+        return value_choice(reader, &all, "ink", node, &any);
+    }
     for (int i = 0; i < own.count; i++) {
         own.names[i] = inks[reader->script->inks[i]].name;
     }
@@ -343,6 +375,8 @@ bool value_read(struct reader *reader, const struct key *key, const struct yaml_
     case KEY_INK:
         good = read_ink(reader, node, &choice);
         break;
+    case KEY_TEXT:
+        return read_text(reader, key, node, (const char **)(void *)at);
     case KEY_FLAG:
         return read_flag(reader, node, (bool *)at);
     case KEY_POINT:

@@ -109,6 +109,11 @@ void studio_destroy(struct studio *studio)
 
 bool studio_post(struct studio *studio, const struct action *action)
 {
+    return studio_post_event(studio, action, 0);
+}
+
+bool studio_post_event(struct studio *studio, const struct action *action, uint64_t event_us)
+{
     if (action->path.count > STUDIO_PATH) {
         return false;
     }
@@ -118,6 +123,7 @@ bool studio_post(struct studio *studio, const struct action *action)
         struct studio_action *posted = &studio->inbox[studio->inbox_count++];
         posted->action = *action;
         posted->copied = true;
+        posted->event_us = event_us;
         for (int i = 0; i < action->path.count; i++) {
             posted->points[i] = action->path.points[i];
         }
@@ -125,6 +131,19 @@ bool studio_post(struct studio *studio, const struct action *action)
     pthread_cond_broadcast(&studio->changed);
     pthread_mutex_unlock(&studio->lock);
     return fits;
+}
+
+bool studio_consumed(struct studio *studio, struct studio_consumed *consumed)
+{
+    pthread_mutex_lock(&studio->lock);
+    bool any = studio->consumed_count > 0;
+    if (any) {
+        *consumed = studio->consumed[studio->consumed_first];
+        studio->consumed_first = (studio->consumed_first + 1) % STUDIO_CONSUMED;
+        studio->consumed_count--;
+    }
+    pthread_mutex_unlock(&studio->lock);
+    return any;
 }
 
 const struct fields *studio_newest(struct studio *studio, bool *fresh)

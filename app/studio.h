@@ -22,6 +22,7 @@ enum {
     STUDIO_TICKS_PER_SECOND = 60,
     STUDIO_CHECKPOINT_S = 4, /* from one rolling checkpoint to the next */
     STUDIO_PATH = 8,         /* points of a path that is posted */
+    STUDIO_CONSUMED = 512,
 };
 
 struct studio_def {
@@ -50,6 +51,15 @@ void studio_destroy(struct studio *studio); /* takes NULL */
 /* Done before the next tick. Its path is copied; a raster must live as long as the studio. False when the path has more
  * than STUDIO_PATH points, or the inbox is full: nobody can be that quick. */
 bool studio_post(struct studio *studio, const struct action *action);
+/* The same for what an event has caused, at `event_us` of CLOCK_MONOTONIC; 0: none has. See studio_consumed. */
+bool studio_post_event(struct studio *studio, const struct action *action, uint64_t event_us);
+
+struct studio_consumed {
+    uint64_t event_us, tick_us; /* when the event was; when a tick took what it caused */
+    uint64_t number;            /* the fields with this number (struct fields) are the first to hold it */
+};
+/* What has been taken since the last call, of that which events have caused; false: no more. Keeps STUDIO_CONSUMED. */
+bool studio_consumed(struct studio *studio, struct studio_consumed *consumed);
 /* The newest fields that are ready, for the display's thread: publisher_newest. */
 const struct fields *studio_newest(struct studio *studio, bool *fresh);
 /* Nobody sees it: no ticks until told otherwise. */

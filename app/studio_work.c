@@ -71,6 +71,18 @@ static void act_and_keep(struct studio *studio, const struct studio_action *post
     }
 }
 
+/* For whoever measures; with the lock held. The oldest goes when nobody has looked for long. */
+static void note_consumed(struct studio *studio, uint64_t event_us)
+{
+    if (studio->consumed_count == STUDIO_CONSUMED) {
+        studio->consumed_first = (studio->consumed_first + 1) % STUDIO_CONSUMED;
+        studio->consumed_count--;
+    }
+    int last = (studio->consumed_first + studio->consumed_count++) % STUDIO_CONSUMED;
+    studio->consumed[last] =
+        (struct studio_consumed){event_us, (uint64_t)(1e6 * bench_wall_s()), studio->published + 1};
+}
+
 /* Takes what was posted; the lock is not held while the engine works. */
 static void empty_inbox(struct studio *studio)
 {
@@ -80,6 +92,9 @@ static void empty_inbox(struct studio *studio)
         bool any = done < studio->inbox_count;
         if (any) {
             posted = studio->inbox[done];
+            if (posted.event_us > 0) {
+                note_consumed(studio, posted.event_us);
+            }
         } else {
             studio->inbox_count = 0;
         }
@@ -239,7 +254,8 @@ static bool tick(struct studio *studio)
     } else if (!studio->def.once && ++studio->rest_ticks > REST_TICKS && !begin_session(studio)) {
         return false;
     }
-    if (studio->changed_since && publisher_publish(studio->publisher, studio->engine)) {
+    if (studio->changed_since && publisher_publish(studio->publisher, studio->engine, studio->published + 1)) {
+        studio->published++;
         studio->changed_since = false;
     }
     roll_checkpoint(studio);

@@ -18,6 +18,7 @@ struct studio_action {
     struct action action;
     bool copied;
     struct point points[STUDIO_PATH];
+    uint64_t event_us;
 };
 
 enum studio_started { STUDIO_STARTING, STUDIO_WORKS, STUDIO_FAILED };
@@ -35,6 +36,8 @@ struct studio {
     float scale; /* wanted */
     struct studio_action inbox[STUDIO_INBOX];
     int inbox_count;
+    struct studio_consumed consumed[STUDIO_CONSUMED]; /* a ring */
+    int consumed_first, consumed_count;
     struct studio_report report;
     struct studio_error error;
 
@@ -42,6 +45,7 @@ struct studio {
     struct engine *engine;
     struct engine *kept;   /* an engine of the CPU outlives the loss of a GPU */
     bool lost;             /* GL is gone: nothing of it is to be touched */
+    uint64_t published;    /* number of the newest fields */
     bool changed_since;    /* the painting is not what was published last */
     int next_action;       /* of the script */
     int64_t session_start; /* tick of the engine at which the session began */

@@ -5,6 +5,7 @@
 #define FROND_FIELDS_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 enum fields_texture {
     FIELDS_GROUND, /* depth (active + carved), solvent density, mask (1 where an obstacle is), catalyst */
@@ -18,6 +19,7 @@ enum fields_texture {
 struct fields {
     unsigned texture[FIELDS_COUNT]; /* GL names; those for the X-ray 0 unless asked for */
     int width, height;              /* cells */
+    uint64_t number;                /* which publication it is (publisher.h), 1..; 0: none */
 };
 
 /* In the current GL context, zeroed. False when memory is short. */

@@ -105,7 +105,7 @@ static bool fill(struct publisher *publisher, struct fields *slot, struct engine
     return true;
 }
 
-bool publisher_publish(struct publisher *publisher, struct engine *engine)
+bool publisher_publish(struct publisher *publisher, struct engine *engine, uint64_t number)
 {
     pthread_mutex_lock(&publisher->lock);
     bool pending = publisher->pending;
@@ -125,6 +125,7 @@ bool publisher_publish(struct publisher *publisher, struct engine *engine)
     if (!fill(publisher, &publisher->slots[slot], engine)) {
         return false;
     }
+    publisher->slots[slot].number = number;
     GLsync filled = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     glFlush();
     pthread_mutex_lock(&publisher->lock);

@@ -16,8 +16,8 @@ struct publisher *publisher_create(bool xray);
 void publisher_destroy(struct publisher *publisher, bool lost);
 
 /* Simulation: publishes what the engine holds now, unless what was published last has not been taken: then false. The
- * sheet may have another size than the time before. */
-bool publisher_publish(struct publisher *publisher, struct engine *engine);
+ * sheet may have another size than the time before. The fields carry `number`. */
+bool publisher_publish(struct publisher *publisher, struct engine *engine, uint64_t number);
 /* Display: the newest fields that are ready, theirs to read until the next call; NULL before the first. `fresh` says
  * whether they are others than the last time. */
 const struct fields *publisher_newest(struct publisher *publisher, bool *fresh);

@@ -95,6 +95,9 @@ void key_defaults(const struct key *keys, void *object)
         case KEY_PATH:
             memset(at, 0, sizeof(struct action_path));
             break;
+        case KEY_TEXT:
+            memset(at, 0, sizeof(const char *));
+            break;
         case KEY_RASTER:
         case KEY_PICTURE:
             memset(at, 0, sizeof(struct action_raster));

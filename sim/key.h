@@ -18,14 +18,16 @@ enum key_type {
     KEY_RASTER,  /* struct action_raster, from a formula in x and y: an expression, or [expression, expression] for a
                     vector */
     KEY_PICTURE, /* struct action_raster, from a picture: a path relative to the file that names it */
+    KEY_TEXT,    /* const char *: a word or some, of `min` to `max` bytes; owned by whoever read it */
     KEY_COEFFICIENT, /* int: index into coefficient_keys[] (coefficients.h); written as the coefficient's name */
 };
 
 struct key {
     const char *name;
     enum key_type type;
-    const char *unit;           /* "" where there is none */
-    double min, max;            /* inclusive; of KEY_NUMBER and KEY_INTEGER (and of each coordinate of a point) */
+    const char *unit; /* "" where there is none */
+    double min,
+        max; /* inclusive; of KEY_NUMBER and KEY_INTEGER (and of each coordinate of a point); bytes of KEY_TEXT */
     double initial;             /* the default; flags and choices as integers */
     const char *const *choices; /* of KEY_CHOICE, ends with NULL; else NULL */
     size_t offset;              /* of the value in the struct that the table describes */
@@ -40,7 +42,7 @@ int key_count(const struct key *keys);
 /* The name in the table nearest to a misspelt one (edit distance at most 3, and less than half its length), or NULL. */
 const char *key_suggest(const struct key *keys, const char *misspelt);
 /* Fills every KEY_NUMBER, KEY_INTEGER, KEY_FLAG, KEY_CHOICE, KEY_INK, KEY_BRUSH and KEY_COEFFICIENT of `object` with
- * its default; paths and rasters are made empty. */
+ * its default; paths and rasters are made empty, texts NULL. */
 void key_defaults(const struct key *keys, void *object);
 
 #endif

@@ -46,7 +46,7 @@ present() {
 }
 
 # Help and version: on stdout, status 0.
-for command in run render check explain; do
+for command in run render check explain devices; do
     expect 0 "$command" --help
     quiet
     head -n 1 out.txt | grep -q "^usage: frond $command" || fail "$last: no usage"
@@ -186,6 +186,53 @@ for word in frond canvas alpha_a brush_solvent "  moss" "  ochre" "  reef"; do
 done
 expect 0 explain clear
 prints "clear: A fresh sheet."
+
+expect 0 explain inputs
+for word in "^inputs: " "^bindings: " "^  debounce" "^  two-finger" "^turn: "; do
+    case $word in *two-finger) grep -q "two-finger drag" out.txt ;; *) grep -q "$word" out.txt ;; esac || fail "$last: lacks $word"
+done
+grep -q "^drop:" out.txt && fail "$last: more than inputs"
+expect 0 explain bindings.ms
+prints "  ms (whole number; 1 to 60000 ms; default 600)"
+
+# Inputs files: known by their key, checked like scripts, alone and with a session.
+expect 0 check "$data"/../../config/inputs/*.yaml
+quiet
+printf 'inputs: 1\nbindings:\n  - {touch: tap, drop: {radius: 0}}\n' >inputs.yaml
+expect 1 check one-drop.yaml inputs.yaml
+says "inputs.yaml:3:33: bindings[0].drop.radius: 0 is out of range; 0.5 to 512 cells"
+expect 1 run small.yaml --display headless --frames 2 --inputs inputs.yaml
+says "inputs.yaml:3:33: bindings[0].drop.radius: 0 is out of range; 0.5 to 512 cells"
+printf 'inputs: 1\nbindings:\n  - {touch: tap, drop: {ink: carbon black}}\n' >inputs.yaml
+expect 0 check inputs.yaml
+quiet
+printf 'frond: 1\ncanvas: {width: 32, height: 24}\nticks: 12\ninks: [cyan]\n' >cyan.yaml
+expect 1 run cyan.yaml --display headless --frames 2 --inputs inputs.yaml
+says "inputs.yaml:3:30: bindings[0].drop.ink: 'carbon black' is not among the session's inks; one of cyan"
+
+# devices: without a device, without permission, and on a descriptor captured elsewhere.
+expect 0 devices
+grep -q "controller" out.txt || fail "$last: nothing about controllers"
+expect 0 devices --watch --seconds 1
+expect 2 devices --seconds 1
+says "frond devices: seconds goes with --watch; see frond devices --help"
+expect 2 devices --json
+says "frond devices: json goes with --descriptor; see frond devices --help"
+expect 2 devices --watch --seconds 0
+says "frond devices: --seconds: '0' is not it; 1 to 86400 seconds"
+expect 2 devices knob
+says "frond devices: 'knob' is too much; see frond devices --help"
+expect 1 devices --inputs no-such.yaml
+says "no-such.yaml: cannot be read: No such file or directory"
+printf '05 01 09 37 a1 01 09 37 15 81 25 7f 75 08 95 01 81 06 c0' >knob.txt
+expect 0 devices --descriptor knob.txt
+quiet
+grep -q "Dial" out.txt || fail "$last: no dial"
+expect 0 devices --descriptor knob.txt --json
+grep -q '"Dial"' out.txt || fail "$last: no dial"
+printf '05 01 c0' >bad.txt
+expect 1 devices --descriptor bad.txt
+grep -q "^frond devices: bad.txt: byte 2: " err.txt || fail "$last: no byte"
 
 [ "$failures" -eq 0 ] || exit 1
 echo "the command line says what it should"

@@ -1,0 +1,155 @@
+/* Inputs: which devices an exhibit admits, what hangs on its GPIO lines, and what each of them does. YAML, version 1:
+ *
+ *     inputs: 1
+ *     touch: {touchscreens: true, pointers: false}
+ *     controllers:
+ *       - {id: knob, vendor: 077d, product: 0410}
+ *     gpio:
+ *       buttons:
+ *         - {id: red, line: GPIO17}
+ *     bindings:
+ *       - {touch: drag, brush_ink: {amount: 12}}
+ *       - {usage: Dial, controller: knob, turn: {coefficient: s_max, from: 0.1, to: 0.6}}
+ *       - {button: red, when: hold, ms: 3000, clear: {}}
+ *
+ * Read as scripts are: every value against its struct key, every problem with its place. */
+#ifndef FROND_INPUTS_H
+#define FROND_INPUTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "action.h"
+#include "axis.h"
+#include "event.h"
+#include "press.h"
+#include "report.h"
+#include "script.h"
+
+enum {
+    INPUTS_VERSION = 1,
+    INPUTS_KEYBOARDS = 8,
+    INPUTS_CONTROLLERS = 16,
+    INPUTS_MAP = 64,   /* entries of one controller */
+    INPUTS_LINES = 32, /* buttons, encoders, lamps: of each */
+    INPUTS_BINDINGS = 128,
+    INPUTS_MS_MAX = 60000,
+};
+
+enum inputs_visitors {
+    VISITORS_EACH,   /* every finger takes the next ink, every controller has one that next_ink changes */
+    VISITORS_SHARED, /* all paint in one ink, which next_ink changes */
+};
+
+struct inputs_device {
+    const char *id;           /* of a controller or keyboard, as bindings name it */
+    uint16_t vendor, product; /* USB ids; 0: any */
+    const char *name;         /* a part of its own name, case aside; NULL: any */
+    bool refuse;              /* never admitted */
+    struct inputs_map {
+        uint32_t usage;
+        const char *usage_name; /* as it was written */
+        int report, bit, bits;
+        bool is_signed, centred;
+        int mode; /* enum hid_map_mode */
+        int min, max;
+    } * map;
+    int map_count;
+};
+
+enum inputs_bias { INPUTS_AS_IS, INPUTS_NO_BIAS, INPUTS_PULL_UP, INPUTS_PULL_DOWN };
+
+/* A line by its name, or by its number on its chip. */
+struct inputs_line {
+    const char *name; /* NULL: the number counts */
+    int offset;
+};
+
+struct inputs_lines {        /* a button, an encoder or a lamp */
+    const char *id, *chip;   /* chip NULL: any that has a line of this name */
+    struct inputs_line a, b; /* b: of an encoder */
+    int bias;                /* enum inputs_bias */
+    bool active_low, reversed;
+    int debounce;          /* ms */
+    int steps;             /* changes of a line in a detent of an encoder */
+    const char *button_id; /* lamp: the button that it lights */
+    int button;            /* in buttons[]; -1: none */
+};
+
+enum binding_source { BINDING_TOUCH, BINDING_USAGE, BINDING_BUTTON, BINDING_ENCODER, BINDING_KEY, BINDING_SOURCES };
+enum binding_touch { TOUCH_PRESS, TOUCH_TAP, TOUCH_LONG, TOUCH_DRAG, TOUCH_TWO, TOUCH_PINCH };
+/* enum press_when, and: */
+enum { BINDING_MOVE = PRESS_WHENS, BINDING_WHENS };
+enum binding_way { WAY_ANY, WAY_UP, WAY_DOWN, WAY_LEFT, WAY_RIGHT };
+enum binding_where { WHERE_THERE, WHERE_SHEET };
+enum binding_do { DO_VERB, DO_NEXT_INK, DO_CURSOR, DO_TURN, DO_DIAL };
+enum binding_parameter { PARAMETER_RADIUS, PARAMETER_SOLVENT, PARAMETER_AMOUNT, PARAMETERS };
+
+struct binding {
+    /* Where it comes from. */
+    enum binding_source source;
+    int touch;        /* enum binding_touch */
+    uint32_t control; /* as in struct event */
+    int device;       /* in controllers[] or keyboards[]; -1: any */
+    int index;        /* HID: which of several of one usage; -1: any */
+    /* When. */
+    int when; /* enum press_when or BINDING_MOVE */
+    int ms;
+    uint32_t wait_ms; /* as in struct press_def */
+    int way;
+    /* What. */
+    enum binding_do what;
+    struct action action; /* DO_VERB: ink -1: the visitor's; without a place: where it happens */
+    int where;            /* WHERE_SHEET: the verb is for the whole sheet unless it names a place */
+    struct axis_def axis; /* of DO_TURN, DO_DIAL, DO_CURSOR */
+    int coefficient;      /* DO_TURN */
+    int parameter;        /* DO_DIAL: of drops to come */
+    int across;           /* DO_CURSOR: 0 x, 1 y, 2 both: a hat */
+    float speed;          /* DO_CURSOR: sheets a second at full deflection */
+    /* Press length to size; only where `length` is given. */
+    bool has_length;
+    struct inputs_length {
+        int parameter; /* enum binding_parameter */
+        float from, to;
+        int ms;
+    } length;
+};
+
+struct inputs {
+    int version;
+    bool touchscreens, pointers;
+    bool others;  /* controllers that are not listed may act too */
+    int visitors; /* enum inputs_visitors */
+    struct inputs_device keyboards[INPUTS_KEYBOARDS], controllers[INPUTS_CONTROLLERS];
+    int keyboard_count, controller_count;
+    struct inputs_lines buttons[INPUTS_LINES], encoders[INPUTS_LINES], lamps[INPUTS_LINES];
+    int button_count, encoder_count, lamp_count;
+    struct binding bindings[INPUTS_BINDINGS];
+    int binding_count;
+    struct script *memory; /* texts and rasters */
+};
+
+/* Reads a file or a text. `session`: the script whose inks and grid it is for; NULL: inks by any name. NULL comes back
+ * when anything is wrong, and the report then has at least one problem. */
+struct inputs *inputs_read(const char *path, const struct script *session, const struct script_def *def,
+                           struct report *report);
+struct inputs *inputs_parse(const char *text, size_t size, const char *folder, const struct script *session,
+                            const struct script_def *def, struct report *report);
+void inputs_destroy(struct inputs *inputs); /* takes NULL */
+/* What counts where no file is given: fingers paint, gamepads have a cursor, space mice and dials turn coefficients. */
+const char *inputs_default_text(void);
+struct inputs *inputs_default(const struct script *session);
+/* Whether a text means to be an inputs file: its top has the key `inputs`. */
+bool inputs_is(const char *text, size_t size);
+/* Whether this is the device that is meant. */
+bool inputs_match(const struct inputs_device *wanted, uint16_t vendor, uint16_t product, const char *name);
+
+/* The tables behind it, with what they are called in `frond explain`; ends with a table whose name is NULL. */
+struct inputs_table {
+    const char *name, *about;
+    const struct key *keys;
+};
+extern const struct inputs_table inputs_tables[];
+
+#endif

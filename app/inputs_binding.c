@@ -1,0 +1,453 @@
+#include <string.h>
+
+#include "inputs_read.h"
+#include "key_names.h"
+#include "script_action.h"
+#include "stroke.h"
+
+enum { ROWS_MAX = 48 };
+
+/* What a binding is made of, before it is put together. */
+struct parts {
+    struct key rows[ROWS_MAX]; /* its own keys, the verbs, the actions that are no verbs */
+    const struct inputs *inputs;
+    const struct yaml_node *usage, *button, *encoder, *key, *controller, *length;
+    const struct yaml_node *what; /* the parameters of the action */
+    const char *what_name, *source_name;
+};
+
+static void fill_rows(struct parts *parts)
+{
+    int count = 0;
+    for (const struct key *key = binding_keys; key->name; key++) {
+        parts->rows[count++] = *key;
+    }
+    for (int i = 0; i < ACTION_VERBS; i++) {
+        enum action_verb verb = (enum action_verb)i;
+        parts->rows[count++] = (struct key){.name = action_name(verb), .type = KEY_CHOICE, .unit = "section"};
+    }
+    for (const struct key *key = binding_do_keys; key->name; key++) {
+        parts->rows[count++] = *key;
+    }
+}
+
+static void take_source(struct reader *reader, struct parts *parts, const char *name, const struct yaml_node *node)
+{
+    if (parts->source_name) {
+        reader_problem(reader, node, "a second source, after %s; a binding has one", parts->source_name);
+        return;
+    }
+    parts->source_name = name;
+}
+
+/* What has a reader of its own is put aside; its text, where it is one, is looked at later. */
+static bool read_part(struct reader *reader, const struct key *key, const struct yaml_node *node, void *object,
+                      void *context)
+{
+    struct parts *parts = context;
+    struct {
+        const char *name;
+        const struct yaml_node **node;
+        bool source;
+    } places[] = {
+        {"usage", &parts->usage, true}, {"button", &parts->button, true},          {"encoder", &parts->encoder, true},
+        {"key", &parts->key, true},     {"controller", &parts->controller, false}, {"length", &parts->length, false}};
+    if (!inputs_is_section(key)) {
+        if (strcmp(key->name, "touch") == 0) {
+            take_source(reader, parts, key->name, node);
+        }
+        return value_read(reader, key, node, object);
+    }
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        if (strcmp(key->name, places[i].name) == 0) {
+            *places[i].node = node;
+            if (places[i].source) {
+                take_source(reader, parts, key->name, node);
+            }
+            return true;
+        }
+    }
+    if (parts->what_name) {
+        reader_problem(reader, node, "a second action, after %s; a binding has one", parts->what_name);
+        return false;
+    }
+    parts->what = node;
+    parts->what_name = key->name;
+    return true;
+}
+
+/* A word that names something; NULL where there is none, which is then in the report. */
+static const char *word(struct reader *reader, const struct yaml_node *node, const char *allowed)
+{
+    char found[128];
+    if (node->kind == YAML_REFUSED) {
+        return NULL;
+    }
+    if (node->kind != YAML_SCALAR || yaml_is_nothing(node)) {
+        reader_problem(reader, node, "%s where a name should be; %s", yaml_found(node, found, sizeof found), allowed);
+        return NULL;
+    }
+    return node->text;
+}
+
+static int find_id(struct reader *reader, const char *what, const char *list, const struct yaml_node *node,
+                   const struct names *names)
+{
+    char allowed[1200], none[64];
+    const char *text = NULL;
+    int index = -1;
+    size_t length = reader_enter(reader, what);
+    snprintf(none, sizeof none, "there are none in %s", list);
+    names_allowed(names, node->kind == YAML_SCALAR ? node->text : "", allowed, sizeof allowed);
+    text = word(reader, node, names->count ? allowed : none);
+    index = text ? names_find(names, text) : -1;
+    if (text && index < 0) {
+        char found[128];
+        reader_problem(reader, node, "unknown %s %s; %s", what, yaml_found(node, found, sizeof found),
+                       names->count ? allowed : none);
+    }
+    reader_leave(reader, length);
+    return index;
+}
+
+static struct names names_of_devices(const struct inputs_device *devices, int count)
+{
+    struct names names = {.count = 0};
+    for (int i = 0; i < count; i++) {
+        names.names[names.count++] = devices[i].id ? devices[i].id : "";
+    }
+    return names;
+}
+
+static struct names names_of_lines(const struct inputs_lines *lines, int count)
+{
+    struct names names = {.count = 0};
+    for (int i = 0; i < count; i++) {
+        names.names[names.count++] = lines[i].id ? lines[i].id : "";
+    }
+    return names;
+}
+
+static void read_usage(struct reader *reader, const struct parts *parts, struct binding *binding)
+{
+    const struct inputs *inputs = parts->inputs;
+    size_t length = reader_enter(reader, "usage");
+    const char *name = word(reader, parts->usage, "a HID usage by name (X, Dial, Button 3) or number (0x00090003)");
+    binding->source = BINDING_USAGE;
+    if (name) {
+        inputs_usage(reader, parts->usage, name, &binding->control);
+    }
+    reader_leave(reader, length);
+    if (parts->controller) {
+        struct names names = names_of_devices(inputs->controllers, inputs->controller_count);
+        binding->device = find_id(reader, "controller", "controllers", parts->controller, &names);
+    }
+}
+
+static void read_key(struct reader *reader, const struct parts *parts, struct binding *binding)
+{
+    static const char ALLOWED[] = "a to z, 0 to 9, F1 to F12, space, enter, escape, left, ...";
+    char found[128];
+    const struct inputs *inputs = parts->inputs;
+    size_t length = reader_enter(reader, "key");
+    const char *name = word(reader, parts->key, ALLOWED);
+    binding->source = BINDING_KEY;
+    binding->control = name ? key_code_of(name) : 0;
+    if (name && binding->control == 0) {
+        reader_problem(reader, parts->key, "unknown key %s; %s", yaml_found(parts->key, found, sizeof found), ALLOWED);
+    } else if (name && inputs->keyboard_count == 0) {
+        reader_problem(reader, parts->key, "no keyboard is admitted; keyboards: [{id: WORD, vendor: ID, product: ID}]");
+    }
+    reader_leave(reader, length);
+    if (parts->controller) {
+        struct names names = names_of_devices(inputs->keyboards, inputs->keyboard_count);
+        binding->device = find_id(reader, "controller", "keyboards", parts->controller, &names);
+    }
+}
+
+static bool read_source(struct reader *reader, const struct yaml_node *item, const struct parts *parts,
+                        struct binding *binding)
+{
+    const struct inputs *inputs = parts->inputs;
+    binding->device = -1;
+    if (!parts->source_name) {
+        reader_problem(reader, item, "no source is given; one of touch, usage, button, encoder, key");
+        return false;
+    }
+    if (parts->usage) {
+        read_usage(reader, parts, binding);
+    } else if (parts->key) {
+        read_key(reader, parts, binding);
+    } else if (parts->button) {
+        struct names names = names_of_lines(inputs->buttons, inputs->button_count);
+        binding->source = BINDING_BUTTON;
+        binding->control = (uint32_t)find_id(reader, "button", "gpio.buttons", parts->button, &names);
+    } else if (parts->encoder) {
+        struct names names = names_of_lines(inputs->encoders, inputs->encoder_count);
+        binding->source = BINDING_ENCODER;
+        binding->control =
+            (uint32_t)(find_id(reader, "encoder", "gpio.encoders", parts->encoder, &names) + inputs->button_count);
+    }
+    if (parts->controller && !parts->usage && !parts->key) {
+        size_t length = reader_enter(reader, "controller");
+        reader_problem(reader, parts->controller, "goes with usage or key, not with %s", parts->source_name);
+        reader_leave(reader, length);
+    }
+    return true;
+}
+
+/* What `when` is where none is given, and whether the one that is fits the source. */
+static void read_when(struct reader *reader, const struct yaml_node *item, struct binding *binding)
+{
+    static const int OF_TOUCH[] = {
+        [TOUCH_PRESS] = PRESS_DOWN,  [TOUCH_TAP] = PRESS_SHORT,  [TOUCH_LONG] = PRESS_HOLD,
+        [TOUCH_DRAG] = BINDING_MOVE, [TOUCH_TWO] = BINDING_MOVE, [TOUCH_PINCH] = BINDING_MOVE};
+    const struct yaml_node *when = yaml_get(item, "when");
+    bool touch = binding->source == BINDING_TOUCH, encoder = binding->source == BINDING_ENCODER;
+    bool value = binding->what != DO_VERB && binding->what != DO_NEXT_INK;
+    size_t length = reader_enter(reader, "when");
+    if (when && touch && binding->touch != TOUCH_PRESS) {
+        reader_problem(reader, when, "goes with touch: press alone; the others are conditions themselves");
+    } else if (when && touch && binding->when == BINDING_MOVE) {
+        reader_problem(reader, when, "a finger that is pressed does not move; touch: drag");
+    } else if (when && encoder && binding->when != BINDING_MOVE) {
+        reader_problem(reader, when, "an encoder is turned, not pressed; move, or a button for its push button");
+    }
+    reader_leave(reader, length);
+    if (!when) {
+        binding->when = touch ? OF_TOUCH[binding->touch] : encoder || value ? BINDING_MOVE : PRESS_DOWN;
+    }
+    if (!yaml_get(item, "ms")) {
+        binding->ms = binding->when == PRESS_DOUBLE           ? PRESS_DOUBLE_MS
+                      : binding->when == PRESS_HOLD && !touch ? PRESS_HOLD_MS
+                                                              : PRESS_LONG_MS;
+    }
+}
+
+static void check_range(struct reader *reader, const struct yaml_node *node, const char *name, const struct key *key)
+{
+    const struct yaml_node *value = yaml_get(node, name);
+    double number = 0;
+    size_t length = reader_enter(reader, name);
+    if (value) {
+        value_number(reader, key, value, &number);
+    }
+    reader_leave(reader, length);
+}
+
+/* The ends of a range lie in that of what they set. Both are numbers already: looked at only where nothing is wrong. */
+static void check_ends(struct reader *reader, const struct yaml_node *node, const struct key *of)
+{
+    struct key key = *of;
+    key.type = KEY_NUMBER; /* a whole coefficient may have ends between */
+    check_range(reader, node, "from", &key);
+    check_range(reader, node, "to", &key);
+}
+
+static const struct key *drop_key(int parameter)
+{
+    static const char *const NAMES[PARAMETERS] = {"radius", "solvent", "amount"};
+    return key_find(action_keys(ACTION_DROP), NAMES[parameter]);
+}
+
+static int problems(const struct reader *reader)
+{
+    return reader->report->count + reader->report->dropped;
+}
+
+static void read_turn(struct reader *reader, const struct yaml_node *node, struct binding *binding)
+{
+    int before = problems(reader);
+    binding->what = DO_TURN;
+    key_defaults(turn_keys, binding);
+    mapping_read(reader, turn_keys, node, binding, NULL);
+    if (problems(reader) > before) {
+        return;
+    }
+    const struct key *key = &coefficient_keys[binding->coefficient];
+    if (key->type == KEY_CHOICE) {
+        size_t length = reader_enter(reader, "coefficient");
+        reader_problem(reader, yaml_get(node, "coefficient"), "%s is no number; set chooses it", key->name);
+        reader_leave(reader, length);
+        return;
+    }
+    check_ends(reader, node, key);
+}
+
+static void read_dial(struct reader *reader, const struct yaml_node *node, struct binding *binding)
+{
+    int before = problems(reader);
+    binding->what = DO_DIAL;
+    key_defaults(dial_keys, binding);
+    mapping_read(reader, dial_keys, node, binding, NULL);
+    if (problems(reader) == before) {
+        check_ends(reader, node, drop_key(binding->parameter));
+    }
+}
+
+static void read_cursor(struct reader *reader, const struct yaml_node *node, struct binding *binding)
+{
+    binding->what = DO_CURSOR;
+    key_defaults(cursor_keys, binding);
+    binding->axis.from = 0;
+    binding->axis.to = 1;
+    mapping_read(reader, cursor_keys, node, binding, NULL);
+}
+
+static void read_what(struct reader *reader, const struct parts *parts, struct binding *binding)
+{
+    enum action_verb verb = action_find(parts->what_name);
+    const struct yaml_node *node = parts->what;
+    struct yaml_node none = {.kind = YAML_MAPPING, .line = node->line, .column = node->column};
+    size_t length = reader_enter(reader, parts->what_name);
+    if (yaml_is_nothing(node)) {
+        node = &none;
+    }
+    if (verb < ACTION_VERBS) {
+        binding->what = DO_VERB;
+        binding->action = action_default(verb);
+        script_action_bound(reader, node, &binding->action);
+        if (binding->action.path.count > STROKE_POINTS) {
+            size_t inner = reader_enter(reader, "path");
+            reader_problem(reader, yaml_get(node, "path"), "a path of %d points; at most %d in a binding",
+                           binding->action.path.count, STROKE_POINTS);
+            reader_leave(reader, inner);
+        }
+    } else if (node->kind != YAML_MAPPING) {
+        inputs_wrong_kind(reader, node, "a mapping: {parameter: value, ...}, or {}");
+    } else if (strcmp(parts->what_name, "turn") == 0) {
+        read_turn(reader, node, binding);
+    } else if (strcmp(parts->what_name, "dial") == 0) {
+        read_dial(reader, node, binding);
+    } else if (strcmp(parts->what_name, "cursor") == 0) {
+        read_cursor(reader, node, binding);
+    } else {
+        static const struct key nothing[] = {{.name = NULL}};
+        binding->what = DO_NEXT_INK;
+        mapping_read(reader, nothing, node, binding, NULL);
+    }
+    reader_leave(reader, length);
+}
+
+static bool takes(enum action_verb verb, int parameter)
+{
+    return key_find(action_keys(verb), drop_key(parameter)->name) != NULL;
+}
+
+static void read_length(struct reader *reader, const struct yaml_node *node, struct binding *binding)
+{
+    int before = problems(reader);
+    size_t length = reader_enter(reader, "length");
+    binding->has_length = true;
+    if (node->kind != YAML_MAPPING) {
+        inputs_wrong_kind(reader, node, "{parameter: radius, from: 4, to: 24, ms: 1500}");
+        reader_leave(reader, length);
+        return;
+    }
+    key_defaults(length_keys, &binding->length);
+    mapping_read(reader, length_keys, node, &binding->length, NULL);
+    bool released = binding->when == PRESS_UP || binding->when == PRESS_SHORT || binding->when == PRESS_LONG;
+    if (problems(reader) > before) {
+        reader_leave(reader, length);
+        return;
+    }
+    if (!released) {
+        reader_problem(reader, node, "the length of a press is known when it is over; when: release, short or long");
+    } else if (binding->what != DO_VERB || !takes(binding->action.verb, binding->length.parameter)) {
+        reader_problem(reader, node, "the action has no %s; a verb that has one",
+                       drop_key(binding->length.parameter)->name);
+    } else {
+        check_ends(reader, node,
+                   key_find(action_keys(binding->action.verb), drop_key(binding->length.parameter)->name));
+    }
+    reader_leave(reader, length);
+}
+
+static void report_no_action(struct reader *reader, const struct yaml_node *item)
+{
+    char allowed[1024];
+    struct names names = names_of_verbs();
+    for (const struct key *key = binding_do_keys; key->name; key++) {
+        names.names[names.count++] = key->name;
+    }
+    reader_problem(reader, item, "no action is given; %s", names_allowed(&names, "", allowed, sizeof allowed));
+}
+
+/* dry, wet, unmask and set are for the whole sheet by nature, all else for the place where it happens. */
+static int usual_where(const struct binding *binding)
+{
+    switch (binding->action.verb) {
+    case ACTION_DRY:
+    case ACTION_WET:
+    case ACTION_UNMASK:
+    case ACTION_SET:
+        return WHERE_SHEET;
+    default:
+        return WHERE_THERE;
+    }
+}
+
+static void read_binding(struct reader *reader, const struct yaml_node *item, int index, void *context)
+{
+    struct inputs *inputs = context;
+    struct binding *binding = &inputs->bindings[inputs->binding_count];
+    struct parts parts = {.inputs = inputs};
+    (void)index;
+    if (item->kind != YAML_MAPPING) {
+        inputs_wrong_kind(reader, item, "{source: ..., when: ..., action: {...}}; see frond explain bindings");
+        return;
+    }
+    fill_rows(&parts);
+    for (const struct key *key = binding_keys; key->name; key++) {
+        if (!inputs_is_section(key)) {
+            struct key one[2] = {*key, {.name = NULL}};
+            key_defaults(one, binding);
+        }
+    }
+    struct value_reading reading = {read_part, &parts};
+    mapping_read(reader, parts.rows, item, binding, &reading);
+    bool whole = read_source(reader, item, &parts, binding);
+    if (parts.what_name) {
+        read_what(reader, &parts, binding);
+    } else {
+        report_no_action(reader, item);
+        whole = false;
+    }
+    if (whole) {
+        read_when(reader, item, binding);
+        binding->where = yaml_get(item, "where") ? binding->where : usual_where(binding);
+    }
+    if (whole && parts.length) {
+        read_length(reader, parts.length, binding);
+    }
+    inputs->binding_count++;
+}
+
+static bool same_source(const struct binding *a, const struct binding *b)
+{
+    bool touch = a->source == BINDING_TOUCH;
+    bool device = a->device == b->device || a->device < 0 || b->device < 0;
+    bool index = a->index == b->index || a->index < 0 || b->index < 0;
+    return a->source == b->source && (touch || (a->control == b->control && device && index));
+}
+
+/* A short press of what is also pressed twice waits for the second. */
+static void let_short_wait(struct inputs *inputs)
+{
+    for (int i = 0; i < inputs->binding_count; i++) {
+        struct binding *binding = &inputs->bindings[i];
+        for (int k = 0; k < inputs->binding_count && binding->when == PRESS_SHORT; k++) {
+            const struct binding *other = &inputs->bindings[k];
+            if (other->when == PRESS_DOUBLE && same_source(binding, other) && (uint32_t)other->ms > binding->wait_ms) {
+                binding->wait_ms = (uint32_t)other->ms;
+            }
+        }
+    }
+}
+
+void inputs_read_bindings(struct reader *reader, const struct yaml_node *root, struct inputs *inputs)
+{
+    inputs_list(reader, root, "bindings", INPUTS_BINDINGS, "a list of {source: ..., action: {...}}", read_binding,
+                inputs);
+    let_short_wait(inputs);
+}

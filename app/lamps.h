@@ -1,0 +1,26 @@
+/* Lamps in buttons: they breathe while nobody is there, and light while their button is pressed. Pure. */
+#ifndef FROND_LAMPS_H
+#define FROND_LAMPS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "event.h"
+#include "inputs.h"
+
+enum { LAMPS_IDLE_S = 30, LAMPS_BREATH_MS = 4000 };
+
+struct lamps { /* inputs set, all else zero */
+    const struct inputs *inputs;
+    uint64_t last_us; /* somebody did something */
+    bool pressed[INPUTS_LINES];
+    float said[INPUTS_LINES]; /* the level it was last given */
+};
+
+void lamps_feel(struct lamps *lamps, const struct event *event);
+/* 0..1 at this time. */
+float lamps_level(const struct lamps *lamps, int lamp, uint64_t now_us);
+/* The next lamp that wants another level than it has; false when there is none. To be called until it says so. */
+bool lamps_next(struct lamps *lamps, uint64_t now_us, int *lamp, float *level);
+
+#endif

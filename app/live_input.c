@@ -1,0 +1,124 @@
+#include "live_input.h"
+
+#include "bench.h"
+
+bool live_input_open(struct live_input *input, const struct script *script, const struct inputs *inputs,
+                     struct display *display, int rotation)
+{
+    struct display_size size = display_sheet(display);
+    bool screen = display_kind(display) == DISPLAY_KMS;
+    int fds[SOURCES_MAX];
+    *input = (struct live_input){.own = inputs ? NULL : inputs_default(script)};
+    inputs = inputs ? inputs : input->own;
+    if (!inputs) {
+        return false;
+    }
+    const struct sources_def def = {.inputs = inputs,
+                                    .touch = screen,
+                                    .hold = screen,
+                                    .rotation = rotation,
+                                    .width = size.width,
+                                    .height = size.height};
+    input->sources = sources_create(&def);
+    input->controls = controls_create(&(struct controls_def){inputs, script->ink_count, script->coefficients});
+    input->lamps.inputs = inputs;
+    if (!input->sources || !input->controls) {
+        return false;
+    }
+    display_wake_on(display, fds, sources_fds(input->sources, fds));
+    return true;
+}
+
+void live_input_close(struct live_input *input)
+{
+    sources_destroy(input->sources);
+    controls_destroy(input->controls);
+    inputs_destroy(input->own);
+    *input = (struct live_input){.own = NULL};
+}
+
+static uint64_t now_us(void)
+{
+    return (uint64_t)(1e6 * bench_wall_s());
+}
+
+static int sooner(int a, int b)
+{
+    return b >= 0 && b < a ? b : a;
+}
+
+int live_input_wait_ms(const struct live_input *input, int most)
+{
+    return sooner(sooner(most, sources_timeout_ms(input->sources)), controls_timeout_ms(input->controls, now_us()));
+}
+
+static void take(struct live_input *input, const struct event *event)
+{
+    struct device device;
+    if (event->kind == EVENT_ARRIVED && sources_device(input->sources, event, &device)) {
+        controls_introduce(input->controls, event->source, &device);
+    }
+    controls_feel(input->controls, event);
+    lamps_feel(&input->lamps, event);
+}
+
+static void light(struct live_input *input)
+{
+    int lamp;
+    float level;
+    while (lamps_next(&input->lamps, now_us(), &lamp, &level)) {
+        sources_light(input->sources, lamp, level);
+    }
+}
+
+/* What has reached the screen since it was looked at last. */
+static void look(struct live_input *input, const struct display *display)
+{
+    struct display_frames frames = display_frames(display);
+    if (input->number > 0 && frames.presented > input->before) {
+        latency_flip(&input->latency, input->number, frames.last_us);
+        input->number = 0;
+    }
+}
+
+void live_input_feel(struct live_input *input, struct display *display, struct studio *studio)
+{
+    struct event event;
+    struct action action;
+    struct studio_consumed consumed;
+    uint64_t time_us;
+    while (studio_consumed(studio, &consumed)) {
+        latency_tick(&input->latency, consumed.event_us, consumed.tick_us, consumed.number);
+    }
+    look(input, display);
+    sources_dispatch(input->sources);
+    while (display_event(display, &event)) {
+        take(input, &event);
+    }
+    while (sources_event(input->sources, &event)) {
+        take(input, &event);
+    }
+    controls_run(input->controls, now_us());
+    while (controls_action(input->controls, &action, &time_us)) {
+        input->refused += !studio_post_event(studio, &action, time_us);
+    }
+    light(input);
+}
+
+void live_input_draws(struct live_input *input, const struct display *display, uint64_t number)
+{
+    look(input, display);
+    input->number = number;
+    input->before = display_frames(display).presented;
+}
+
+void live_input_unseen(struct live_input *input)
+{
+    latency_forget(&input->latency);
+    input->number = 0;
+}
+
+bool live_input_log(struct live_input *input, char *line, int size)
+{
+    return sources_log(input->sources, line, size);
+}

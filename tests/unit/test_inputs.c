@@ -1,0 +1,229 @@
+/* Inputs files: what they become, and word for word what is said of bad ones (app/inputs.h). */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "inputs.h"
+#include "near.h"
+#include "script_case.h"
+
+#define INPUTS_KEYS "inputs, visitors, touch, keyboards, controllers, other_controllers, gpio, bindings"
+#define USAGES      "a HID usage by name (X, Dial, Button 3) or number (0x00090003)"
+
+static const struct script_case BAD[] = {
+    {"empty", BYTES(""), "s.yaml:1:1: the file is empty; inputs: 1, and a list of bindings\n"},
+    {"a list", BYTES("- 1\n"), "s.yaml:1:1: a list where inputs should be; inputs: 1, and a list of bindings\n"},
+    {"no version", BYTES("bindings: []\n"), "s.yaml:1:1: inputs: missing; only 1\n"},
+    {"another version", BYTES("inputs: 2\n"), "s.yaml:1:9: inputs: 2 is out of range; only 1\n"},
+    {"unknown section", BYTES("inputs: 1\nbinding: []\n"),
+     "s.yaml:2:1: binding: unknown key; did you mean bindings? One of " INPUTS_KEYS "\n"},
+    {"visitors", BYTES("inputs: 1\nvisitors: share\n"),
+     "s.yaml:2:11: visitors: unknown choice 'share'; did you mean shared? One of each, shared\n"},
+    {"touch a word", BYTES("inputs: 1\ntouch: all\n"),
+     "s.yaml:2:8: touch: 'all'; {touchscreens: true, pointers: false}\n"},
+    {"touch's key", BYTES("inputs: 1\ntouch: {pointer: true}\n"),
+     "s.yaml:2:9: touch.pointer: unknown key; did you mean pointers? One of touchscreens, pointers\n"},
+    {"a controller of nobody", BYTES("inputs: 1\ncontrollers: [{id: a}]\n"),
+     "s.yaml:2:15: controllers[0]: any device would be it; vendor, product or a part of its name\n"},
+    {"a vendor", BYTES("inputs: 1\ncontrollers: [{id: a, vendor: 12345}]\n"),
+     "s.yaml:2:15: controllers[0]: any device would be it; vendor, product or a part of its name\n"
+     "s.yaml:2:31: controllers[0].vendor: '12345' is no USB id; one to four digits of base 16, 077d\n"},
+    {"an id twice", BYTES("inputs: 1\ncontrollers: [{id: a, name: x}, {id: a, name: y}]\n"),
+     "s.yaml:2:38: controllers[1].id: 'a' is there already; another word\n"},
+    {"a map", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, map: [{usage: Buton 1}]}]\n"),
+     "s.yaml:2:38: controllers[0].map[0].bit: missing; 0 to 65535 bits\n"
+     "s.yaml:2:46: controllers[0].map[0].usage: unknown usage 'Buton 1'; " USAGES "\n"},
+    {"a number without its chip", BYTES("inputs: 1\ngpio: {buttons: [{id: a, line: 17}]}\n"),
+     "s.yaml:2:32: gpio.buttons[0].line: the number of a line on no chip; chip: LABEL beside it, or the line's name\n"},
+    {"debounce", BYTES("inputs: 1\ngpio: {buttons: [{id: a, line: GPIO1, debounce: 101}]}\n"),
+     "s.yaml:2:49: gpio.buttons[0].debounce: 101 is out of range; 0 to 100 ms\n"},
+    {"three steps", BYTES("inputs: 1\ngpio: {encoders: [{id: a, a: GPIO1, b: GPIO2, steps: 3}]}\n"),
+     "s.yaml:2:54: gpio.encoders[0].steps: 3 is not it; 1, 2 or 4 changes a detent\n"},
+    {"a lamp of no button", BYTES("inputs: 1\ngpio: {lamps: [{id: a, line: GPIO1, button: red}]}\n"),
+     "s.yaml:2:45: gpio.lamps[0].button: unknown button 'red'; there are none in gpio.buttons\n"},
+    {"no source", BYTES("inputs: 1\nbindings:\n  - {drop: {}}\n"),
+     "s.yaml:3:5: bindings[0]: no source is given; one of touch, usage, button, encoder, key\n"},
+    {"no action", BYTES("inputs: 1\nbindings:\n  - {touch: tap}\n"),
+     "s.yaml:3:5: bindings[0]: no action is given; one of " VERBS ", next_ink, cursor, turn, dial\n"},
+    {"two sources", BYTES("inputs: 1\nbindings:\n  - {touch: tap, usage: X, drop: {}}\n"),
+     "s.yaml:3:25: bindings[0].usage: a second source, after touch; a binding has one\n"},
+    {"two actions", BYTES("inputs: 1\nbindings:\n  - {touch: tap, drop: {}, clear: {}}\n"),
+     "s.yaml:3:35: bindings[0].clear: a second action, after drop; a binding has one\n"},
+    {"a gesture", BYTES("inputs: 1\nbindings:\n  - {touch: drg, drop: {}}\n"),
+     "s.yaml:3:13: bindings[0].touch: unknown choice 'drg'; did you mean drag? One of press, tap, long press, drag, "
+     "two-finger drag, pinch\n"},
+    {"a usage", BYTES("inputs: 1\nbindings:\n  - {usage: Knob, drop: {}}\n"),
+     "s.yaml:3:13: bindings[0].usage: unknown usage 'Knob'; " USAGES "\n"},
+    {"a controller",
+     BYTES("inputs: 1\ncontrollers: [{id: knob, name: x}]\nbindings:\n"
+           "  - {usage: X, controller: knop, drop: {}}\n"),
+     "s.yaml:4:28: bindings[0].controller: unknown controller 'knop'; did you mean knob? One of knob\n"},
+    {"a button", BYTES("inputs: 1\nbindings:\n  - {button: red, drop: {}}\n"),
+     "s.yaml:3:14: bindings[0].button: unknown button 'red'; there are none in gpio.buttons\n"},
+    {"a key without its keyboard", BYTES("inputs: 1\nbindings:\n  - {key: a, drop: {}}\n"),
+     "s.yaml:3:11: bindings[0].key: no keyboard is admitted; keyboards: [{id: WORD, vendor: ID, product: ID}]\n"},
+    {"a key", BYTES("inputs: 1\nkeyboards: [{id: s, name: x}]\nbindings:\n  - {key: F13, drop: {}}\n"),
+     "s.yaml:4:11: bindings[0].key: unknown key 'F13'; a to z, 0 to 9, F1 to F12, space, enter, escape, left, ...\n"},
+    {"a condition", BYTES("inputs: 1\nbindings:\n  - {touch: tap, when: hold, drop: {}}\n"),
+     "s.yaml:3:24: bindings[0].when: goes with touch: press alone; the others are conditions themselves\n"},
+    {"an encoder pressed",
+     BYTES("inputs: 1\ngpio: {encoders: [{id: w, a: GPIO1, b: GPIO2}]}\nbindings:\n"
+           "  - {encoder: w, when: hold, drop: {}}\n"),
+     "s.yaml:4:24: bindings[0].when: an encoder is turned, not pressed; move, or a button for its push button\n"},
+    {"a range", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {coefficient: s_max, from: 0, to: 3}}\n"),
+     "s.yaml:3:56: bindings[0].turn.to: 3 is out of range; 0 to 1.5 density per cell\n"},
+    {"a choice turned", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {coefficient: noise, from: 0, to: 1}}\n"),
+     "s.yaml:3:36: bindings[0].turn.coefficient: noise is no number; set chooses it\n"},
+    {"turn without an end", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {coefficient: s_max, from: 0}}\n"),
+     "s.yaml:3:22: bindings[0].turn.to: missing; -100 to 1000 as the coefficient\n"},
+    {"length of what is not over",
+     BYTES("inputs: 1\nbindings:\n  - {touch: press, drop: {}, "
+           "length: {parameter: radius, from: 4, to: 9}}\n"),
+     "s.yaml:3:38: bindings[0].length: the length of a press is known when it is over; when: release, short or long\n"},
+    {"length of nothing",
+     BYTES("inputs: 1\nbindings:\n  - {touch: press, when: long, clear: {}, "
+           "length: {parameter: radius, from: 4, to: 9}}\n"),
+     "s.yaml:3:51: bindings[0].length: the action has no radius; a verb that has one\n"},
+    {"a long path",
+     BYTES("inputs: 1\nbindings:\n  - {touch: tap, draw: {path: [[0, 0], [0, 0], [0, 0], [0, 0], [0, 0], "
+           "[0, 0], [0, 0], [0, 0], [0, 0]]}}\n"),
+     "s.yaml:3:31: bindings[0].draw.path: a path of 9 points; at most 8 in a binding\n"},
+    {"an ink", BYTES("inputs: 1\nbindings:\n  - {touch: tap, drop: {ink: ochr}}\n"),
+     "s.yaml:3:30: bindings[0].drop.ink: unknown ink 'ochr'; did you mean ochre? One of " INKS "\n"},
+};
+
+static void bad_files_are_told_word_for_word(void **state)
+{
+    (void)state;
+    struct script_def def = script_default_def();
+    for (size_t i = 0; i < sizeof BAD / sizeof *BAD; i++) {
+        struct report report;
+        report_init(&report, "s.yaml");
+        struct inputs *inputs = inputs_parse(BAD[i].text, BAD[i].size, ".", NULL, &def, &report);
+        char *text = report_text(&report);
+        if (inputs || !text || strcmp(text, BAD[i].expected) != 0) {
+            fail_msg("%s:\nexpected:\n%sfound:\n%s", BAD[i].name, BAD[i].expected, text ? text : "nothing");
+        }
+        free(text);
+        inputs_destroy(inputs);
+        report_finish(&report);
+    }
+}
+
+static struct inputs *parse(const char *text, const struct script *session)
+{
+    struct script_def def = script_default_def();
+    struct report report;
+    report_init(&report, "s.yaml");
+    struct inputs *inputs = inputs_parse(text, strlen(text), ".", session, &def, &report);
+    char *problems = report_text(&report);
+    if (!inputs) {
+        fail_msg("%s", problems);
+    }
+    free(problems);
+    report_finish(&report);
+    return inputs;
+}
+
+static void a_file_becomes_what_it_says(void **state)
+{
+    (void)state;
+    struct inputs *inputs =
+        parse("inputs: 1\n"
+              "visitors: shared\n"
+              "touch: {pointers: true}\n"
+              "other_controllers: false\n"
+              "controllers:\n"
+              "  - {id: knob, vendor: 077d, product: 0x0410, map: [{usage: Dial, bit: 9, bits: 7}]}\n"
+              "gpio:\n"
+              "  buttons: [{id: red, chip: soc, line: 17, bias: none, active_low: false}]\n"
+              "  encoders: [{id: w, a: GPIO1, b: GPIO2}]\n"
+              "  lamps: [{id: l, line: GPIO9, button: red}]\n"
+              "bindings:\n"
+              "  - {usage: '0x00010037', controller: knob, index: 2, dial: {parameter: amount, from: "
+              "9, to: 1}}\n"
+              "  - {button: red, when: short, clear: {}}\n"
+              "  - {button: red, when: double, ms: 500, dry: {}}\n"
+              "  - {encoder: w, drop: {}}\n"
+              "  - {touch: long press, set: {coefficient: k, value: 3}, where: there}\n",
+              NULL);
+    assert_true(inputs->visitors == VISITORS_SHARED && inputs->touchscreens && inputs->pointers && !inputs->others);
+    assert_int_equal(inputs->controllers[0].vendor, 0x077d);
+    assert_int_equal(inputs->controllers[0].product, 0x0410);
+    assert_int_equal(inputs->controllers[0].map[0].usage, 0x00010037);
+    assert_int_equal(inputs->controllers[0].map[0].bits, 7);
+    assert_true(!inputs->buttons[0].a.name && inputs->buttons[0].a.offset == 17);
+    assert_true(inputs->buttons[0].bias == INPUTS_NO_BIAS && !inputs->buttons[0].active_low);
+    assert_true(inputs->encoders[0].bias == INPUTS_PULL_UP && inputs->encoders[0].steps == 4);
+    assert_int_equal(inputs->lamps[0].button, 0);
+    const struct binding *bindings = inputs->bindings;
+    assert_true(bindings[0].control == 0x00010037 && bindings[0].device == 0 && bindings[0].index == 2);
+    assert_true(bindings[0].when == BINDING_MOVE && bindings[0].what == DO_DIAL);
+    assert_true(bindings[1].when == PRESS_SHORT && bindings[1].ms == PRESS_LONG_MS && bindings[1].wait_ms == 500);
+    assert_true(bindings[2].where == WHERE_SHEET && bindings[2].ms == 500);
+    assert_true(bindings[3].source == BINDING_ENCODER && bindings[3].control == 1); /* after the only button */
+    assert_true(bindings[4].when == PRESS_HOLD && bindings[4].where == WHERE_THERE);
+    inputs_destroy(inputs);
+}
+
+static void inks_are_the_sessions(void **state)
+{
+    (void)state;
+    static const char SESSION[] = "frond: 1\ninks: [cyan, ochre]\n";
+    struct script_def def = script_default_def();
+    struct report report;
+    report_init(&report, "session");
+    struct script *session = script_parse(SESSION, strlen(SESSION), ".", &def, &report);
+    struct inputs *inputs =
+        parse("inputs: 1\nbindings: [{touch: tap, drop: {ink: ochre}}, {touch: tap, drop: {}}]\n", session);
+    assert_int_equal(inputs->bindings[0].action.ink, 1);
+    assert_int_equal(inputs->bindings[1].action.ink, -1);
+    inputs_destroy(inputs);
+    static const char OTHER[] = "inputs: 1\nbindings: [{touch: tap, drop: {ink: black}}]\n";
+    assert_null(inputs_parse(OTHER, strlen(OTHER), ".", session, &def, &report));
+    char *text = report_text(&report);
+    assert_string_equal(
+        text, "session:2:37: bindings[0].drop.ink: 'black' is not among the session's inks; one of cyan, ochre\n");
+    free(text);
+    script_destroy(session);
+    report_finish(&report);
+}
+
+static void the_default_is_valid(void **state)
+{
+    (void)state;
+    struct inputs *inputs = inputs_default(NULL);
+    assert_non_null(inputs);
+    assert_true(inputs->binding_count > 10 && inputs->others && inputs->touchscreens && inputs->keyboard_count == 0);
+    inputs_destroy(inputs);
+    assert_true(inputs_is(inputs_default_text(), strlen(inputs_default_text())));
+    assert_false(inputs_is("frond: 1\n", 9));
+    assert_false(inputs_is("[1", 2));
+}
+
+static void names_match_in_parts_case_aside(void **state)
+{
+    (void)state;
+    struct inputs_device wanted = {.vendor = 0x046d, .name = "space"};
+    assert_true(inputs_match(&wanted, 0x046d, 1, "3Dconnexion SpaceMouse"));
+    assert_false(inputs_match(&wanted, 0x046e, 1, "3Dconnexion SpaceMouse"));
+    assert_false(inputs_match(&wanted, 0x046d, 1, "3Dconnexion spac"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bad_files_are_told_word_for_word),
+        cmocka_unit_test(a_file_becomes_what_it_says),
+        cmocka_unit_test(inks_are_the_sessions),
+        cmocka_unit_test(the_default_is_valid),
+        cmocka_unit_test(names_match_in_parts_case_aside),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
