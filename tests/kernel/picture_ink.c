@@ -1,8 +1,9 @@
-/* Whether there is ink at a place of a screenshot:
- *     picture_ink BARE SHOWN X Y
+/* Whether there is ink at places of a screenshot:
+ *     picture_ink BARE SHOWN X,Y...
  * X, Y in 0..1 of the picture, x right, y down. A pixel has ink when a channel is far from what it is in BARE, a
- * screenshot of the same size of the sheet before anybody painted; looked at is a disc around the place. Prints one
- * line; ends with 0 for ink, 1 for none, 2 when it is neither, or a file cannot be read. */
+ * screenshot of the same size of the sheet before anybody painted; looked at is a disc around each place. Prints one
+ * line for each; ends with 0 for ink at all of them, 1 for ink at none, 2 when it is neither, or a file cannot be
+ * read. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -58,19 +59,39 @@ static int look(const struct image *bare, const struct image *shown, double at_x
     return pixels == 0 ? UNSURE : share >= MUCH ? INK : share <= HARDLY_ANY ? NONE : UNSURE;
 }
 
+/* The same answer for all places, or UNSURE. */
+static int look_at_all(const struct image *image, int count, char *places[])
+{
+    int result = UNSURE;
+    for (int i = 0; i < count; i++) {
+        char *comma, *end = places[i];
+        double x = strtod(places[i], &comma), y = *comma == ',' ? strtod(comma + 1, &end) : 0;
+        if (*comma != ',' || *end) {
+            printf("%s: no place\n", places[i]);
+            return UNSURE;
+        }
+        int found = look(&image[0], &image[1], x, y);
+        result = i == 0 || found == result ? found : UNSURE;
+        if (result == UNSURE) {
+            break;
+        }
+    }
+    return result;
+}
+
 int main(int argc, char *argv[])
 {
     struct image image[2] = {{0}, {0}};
     int result = UNSURE;
-    if (argc != 5) {
-        fputs("picture_ink BARE SHOWN X Y\n", stderr);
+    if (argc < 4) {
+        fputs("picture_ink BARE SHOWN X,Y...\n", stderr);
         return UNSURE;
     }
     bool read = read_picture(argv[1], &image[0]) && read_picture(argv[2], &image[1]);
     if (read && (image[0].width != image[1].width || image[0].height != image[1].height)) {
         printf("pictures of two sizes\n");
     } else if (read) {
-        result = look(&image[0], &image[1], strtod(argv[3], NULL), strtod(argv[4], NULL));
+        result = look_at_all(image, argc - 3, argv + 3);
     }
     image_finish(&image[0]);
     image_finish(&image[1]);
