@@ -452,7 +452,7 @@ static float solvent_in_the_middle(struct engine *engine)
 static void sources_are_reloaded(void **state)
 {
     (void)state;
-    char folder[] = "gpu-steps-XXXXXX";
+    char folder[] = "/tmp/frond-gpu-steps-XXXXXX";
     assert_non_null(mkdtemp(folder));
     const char *fluid = "";
     for (const struct shader_source *source = shader_sources; source->name; source++) {
