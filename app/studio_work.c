@@ -236,7 +236,9 @@ static void change_scale(struct studio *studio, float scale)
 /* A fresh sheet with a seed of its own. */
 static bool begin_session(struct studio *studio)
 {
+    pthread_mutex_lock(&studio->lock);
     studio->report.sessions++;
+    pthread_mutex_unlock(&studio->lock);
     struct painting_def def = studio_painting(studio, studio->report.scale);
     struct engine *next = make_engine(studio, &def);
     if (!next || !fit_checkpoints(studio, &def)) {
