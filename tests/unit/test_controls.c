@@ -9,44 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "controls.h"
+#include "controls_case.h"
 #include "hid_usage.h"
 #include "lamps.h"
 #include "near.h"
 
-enum { MS = 1000, INKS = 3 };
-
-struct place {
-    struct inputs *inputs;
-    struct controls *controls;
-    uint64_t now_us;
-    struct action action; /* as taken last */
-    uint64_t time_us;
-};
-
-static struct place open_place(const char *bindings)
-{
-    struct script_def def = script_default_def();
-    struct report report;
-    char text[4000];
-    snprintf(text, sizeof text, "inputs: 1\n%s", bindings);
-    report_init(&report, "inputs");
-    struct place place = {.now_us = 1000000};
-    place.inputs = inputs_parse(text, strlen(text), ".", NULL, &def, &report);
-    if (!place.inputs) {
-        fail_msg("%s", report_text(&report));
-    }
-    report_finish(&report);
-    place.controls = controls_create(&(struct controls_def){place.inputs, INKS, coefficients_default()});
-    assert_non_null(place.controls);
-    return place;
-}
-
-static void close_place(struct place *place)
-{
-    controls_destroy(place->controls);
-    inputs_destroy(place->inputs);
-}
+enum { MS = 1000 };
 
 static void finger(struct place *place, enum event_kind kind, int slot, float x, float y)
 {

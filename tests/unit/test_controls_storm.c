@@ -9,45 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "controls.h"
+#include "controls_case.h"
 #include "hid_usage.h"
 #include "source_fake.h"
 #include "stroke.h"
 
-enum { MS = 1000, INKS = 3 };
+enum { MS = 1000 };
 
 #define X    HID_USAGE(HID_PAGE_DESKTOP, 0x30)
 #define DIAL HID_USAGE(HID_PAGE_DESKTOP, 0x37)
-
-struct place {
-    struct inputs *inputs;
-    struct controls *controls;
-    uint64_t now_us;
-};
-
-static struct place open_place(const char *bindings)
-{
-    struct script_def def = script_default_def();
-    struct report report;
-    char text[4000];
-    snprintf(text, sizeof text, "inputs: 1\n%s", bindings);
-    report_init(&report, "inputs");
-    struct place place = {.now_us = 1000000};
-    place.inputs = inputs_parse(text, strlen(text), ".", NULL, &def, &report);
-    if (!place.inputs) {
-        fail_msg("%s", report_text(&report));
-    }
-    report_finish(&report);
-    place.controls = controls_create(&(struct controls_def){place.inputs, INKS, coefficients_default()});
-    assert_non_null(place.controls);
-    return place;
-}
-
-static void close_place(struct place *place)
-{
-    controls_destroy(place->controls);
-    inputs_destroy(place->inputs);
-}
 
 /* A storm: three sources, a thousand events a second between them, for a minute. */
 
