@@ -1,5 +1,5 @@
 # cmake -DROOM=sim -DFOLDER=... -DSTAMP=... -P check_room.cmake : see rooms.cmake.
-file(GLOB sources ${FOLDER}/*.[ch] ${FOLDER}/*.cpp)
+file(GLOB_RECURSE sources ${FOLDER}/*.[ch] ${FOLDER}/*.cpp)
 set(device_headers "libinput|libudev|hidapi|gpiod|gbm|xf86drm|linux/|EGL/|SDL")
 set(problems "")
 foreach(source IN LISTS sources)

@@ -4,7 +4,7 @@ set(FROND_SIM_HEADERS "assert|float|limits|math|pthread|stdalign|stdatomic|stdbo
 
 function(frond_room name)
     set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${name}.room)
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.[ch] ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.[ch] ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_custom_command(OUTPUT ${stamp}
         COMMAND ${CMAKE_COMMAND} -DROOM=${name} -DFOLDER=${CMAKE_CURRENT_SOURCE_DIR} -DSTAMP=${stamp}
             "-DSIM_HEADERS=${FROND_SIM_HEADERS}" -P ${CMAKE_SOURCE_DIR}/tests/check_room.cmake

@@ -64,6 +64,14 @@ bool studio_consumed(struct studio *studio, struct studio_consumed *consumed);
 /* Takes back what was posted last: the painting is again as it was before it began, after the last pause of
  * STUDIO_PAUSE_MS. Once; a second time only after something else was posted. */
 void studio_undo(struct studio *studio);
+/* A fresh sheet at the next tick, with another seed; nothing of the old one can be undone. */
+void studio_fresh(struct studio *studio);
+/* Another script from the next tick on: its inks, coefficients and seed. The painting stays, brought to the new canvas
+ * where that is another (checkpoint_resample). The old script and the new must outlive the studio, or until
+ * studio_script gives the new one. */
+void studio_change(struct studio *studio, const struct script *script);
+/* The script that the thread works with now. */
+const struct script *studio_script(struct studio *studio);
 /* The newest fields that are ready, for the display's thread: publisher_newest. */
 const struct fields *studio_newest(struct studio *studio, bool *fresh);
 /* Nobody sees it: no ticks until told otherwise. */

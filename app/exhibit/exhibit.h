@@ -1,0 +1,171 @@
+/* An exhibit: everything that a curator decides, in one YAML file, version 1.
+ *
+ *     exhibit: 1
+ *     title: {en: Frost garden}
+ *     display: {rotation: 0, width: 530}
+ *     sheet: {cells: 345600}
+ *     scenes:
+ *       - {id: dawn, inks: [turquoise, ochre], painting: {s_max: 0.3}}
+ *     inputs: {visitors: each, bindings: [...]}
+ *     visit: {idle: 60, countdown: 15}
+ *
+ * Read as scripts are: every value against its struct key (exhibit_tables.c), every problem with its place, all of
+ * them. Whatever is not given has the default of its key; `exhibit: 1` alone is an exhibit. An exhibit never changes
+ * once it is read; a kiosk that reads its file again gets another one. */
+#ifndef FROND_EXHIBIT_H
+#define FROND_EXHIBIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "engine_choice.h"
+#include "inputs.h"
+#include "report.h"
+#include "script.h"
+#include "words.h"
+
+enum {
+    EXHIBIT_VERSION = 1,
+    EXHIBIT_SCENES = 16,
+    EXHIBIT_PALETTES = 16,
+    EXHIBIT_SESSIONS = 32,  /* recorded ones, for attract */
+    EXHIBIT_PICTURES = 200, /* in the folder */
+    EXHIBIT_SEATS = 8,
+    EXHIBIT_HOURS = 28, /* entries of the schedule */
+    EXHIBIT_TAPS = 8,   /* of the staff's chain */
+};
+
+struct exhibit_display {
+    const char *connector;       /* as struct display_def; NULL: its choice */
+    int mode_width, mode_height; /* pixels; 0: what the screen prefers */
+    float refresh;               /* Hz; 0: what it prefers */
+    int rotation;                /* degrees clockwise: 0, 90, 180, 270; of picture and touch together */
+    float width;                 /* mm of the picture as it is looked at, across: what makes a target 15 mm */
+    float floor;                 /* mm from the floor to its lower edge */
+    bool lying;                  /* a table: nothing is out of reach by height */
+};
+
+struct exhibit_sheet {
+    int cells;  /* in all; the sheet has the shape of the screen */
+    int margin; /* cells beyond each side */
+    int seed;
+    int rate; /* ticks a second */
+};
+
+/* A scene is what is painted: inks, coefficients, a ground from a picture. `script` is a session without actions, for
+ * the studio and the picture; its canvas is sheet.cells at 16:10 until script_fit gives it the shape of the screen. */
+struct exhibit_scene {
+    const char *id;
+    struct words title;
+    struct script *script;
+    const char *guide;     /* a picture (path relative to the exhibit) whose edges growth follows; NULL: none */
+    const char *mask;      /* a picture whose dark parts stay free; NULL: none */
+    struct action *ground; /* those as actions, done on every fresh sheet; rasters owned by the script */
+    int ground_count;
+};
+
+enum exhibit_tool { /* what a finger on the sheet does; the order on the palette */
+                    TOOL_DROP,
+                    TOOL_BRUSH,
+                    TOOL_GUIDE,
+                    TOOL_POUR,
+                    TOOL_MASK,
+                    TOOL_REWIND, /* the time brush */
+                    TOOLS,
+};
+
+enum exhibit_side { SIDE_OF_LEFT, SIDE_OF_RIGHT, SIDE_OF_BOTTOM, SIDE_OF_NONE };
+
+struct exhibit_palette { /* the heads-up one, not that of inks */
+    bool tools[TOOLS];   /* which are offered; drop always is */
+    bool undo, finish;   /* undo: with redo */
+    bool hand;           /* a button that moves it to the other side, for the other hand */
+    bool seated;         /* a button that makes the reach-limited zone */
+    bool language;       /* a button for the next language, where there are several */
+    float target;        /* mm: side of a button, 15 or more */
+    float opacity;       /* 0..1 at rest */
+};
+
+/* A visitor's place: fingers in its zone are its visitor's, with tool, ink and undo of their own. */
+struct exhibit_seat {
+    float zone[4]; /* left, top, right, bottom in 0..1 of the sheet */
+    int ink;       /* of the scene's; -1: chosen on the palette */
+    int side;      /* enum exhibit_side: of the zone, where its palette is */
+};
+
+struct exhibit_visit {
+    float idle;       /* s without input until the countdown */
+    float countdown;  /* s */
+    float thanks;     /* s that a finished picture is looked at before it is washed */
+    float wash;       /* s */
+    float attract;    /* s that a painting of attract takes, rest included */
+    float next_scene; /* paintings of attract until the next scene; 0: it stays */
+    float hide;       /* s that hands are busy until the palette is out of the way */
+};
+
+struct exhibit_access {
+    float scan;         /* s that a scanning cursor takes across the sheet; 0: no one-switch play */
+    float dwell;        /* s that a point must rest until a drop falls; 0: never */
+    float dwell_radius; /* mm within which it rests */
+    float zone[4];      /* left, top, right, bottom in 0..1 of the sheet: what is in reach of a seated visitor */
+};
+
+struct exhibit_hours { /* open from..to on these days */
+    bool days[7];      /* Monday first */
+    int from, to;      /* minutes since midnight, 0..1440; to <= from: until then on the next day */
+};
+
+struct exhibit_gallery {
+    const char *folder; /* in the state folder; NULL: nothing is kept */
+    int pictures;       /* kept at most, oldest out first */
+    int megabytes;      /* all together */
+};
+
+struct exhibit_staff {
+    int taps[EXHIBIT_TAPS], tap_count; /* corners: 0 top left, 1 top right, 2 bottom right, 3 bottom left */
+    float within;                      /* s from one tap to the next */
+    float hold;                        /* s that the last is held */
+};
+
+struct exhibit {
+    int version;
+    const char *path, *folder; /* as it was read */
+    struct words title;
+    struct exhibit_display display;
+    struct exhibit_sheet sheet;
+    int engine;            /* enum engine_kind */
+    struct inputs *inputs; /* NULL: the default ones; inks are those of the first scene */
+    struct exhibit_scene scenes[EXHIBIT_SCENES];
+    int scene_count;                        /* 1.. */
+    const char *pictures;                   /* folder of stock pictures, relative to the exhibit; NULL: none */
+    const char *sessions[EXHIBIT_SESSIONS]; /* recorded ones, read with the exhibit */
+    struct script *recorded[EXHIBIT_SESSIONS];
+    int session_count;
+    int languages[WORDS_LANGUAGES], language_count; /* of words.h, the first is the first shown */
+    struct words texts[TEXTS];
+    struct exhibit_palette palette;
+    struct exhibit_seat seats[EXHIBIT_SEATS];
+    int seat_count; /* 1.. */
+    struct exhibit_visit visit;
+    struct exhibit_access access;
+    struct exhibit_hours hours[EXHIBIT_HOURS];
+    int hours_count; /* 0: always open */
+    int wake;        /* minutes that a touch opens it while it is closed; 0: it does not */
+    struct exhibit_gallery gallery;
+    struct exhibit_staff staff;
+    struct script *memory; /* texts */
+};
+
+/* Reads a file or a text. `def` loads pictures, as for scripts. NULL when anything is wrong; then the report has at
+ * least one problem. */
+struct exhibit *exhibit_read(const char *path, const struct script_def *def, struct report *report);
+struct exhibit *exhibit_parse(const char *text, size_t size, const char *folder, const struct script_def *def,
+                              struct report *report);
+void exhibit_destroy(struct exhibit *exhibit); /* takes NULL */
+/* Whether a text means to be an exhibit: its top has the key `exhibit`. */
+bool exhibit_is(const char *text, size_t size);
+
+/* The tables behind it; ends with a table whose name is NULL. */
+extern const struct inputs_table exhibit_tables[];
+
+#endif
