@@ -41,7 +41,7 @@ const struct yaml_node *exhibit_mapping(struct reader *reader, const struct yaml
     } else {
         char allowed[512];
         struct names names = names_of_keys(keys);
-        size_t used = (size_t)snprintf(allowed, sizeof allowed, "a mapping, {key: value, ...}, of ");
+        size_t used = (size_t)snprintf(allowed, sizeof allowed, "{key: value, ...}, of keys that are ");
         names_allowed(&names, "", allowed + used, sizeof allowed - used);
         value_wrong_kind(reader, node, allowed);
         node = NULL;

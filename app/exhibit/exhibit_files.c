@@ -154,24 +154,42 @@ static DIR *open_folder(const char *folder, const char *path, char *error, size_
     return list;
 }
 
+/* One more path; false when memory is short. */
+static bool add(struct exhibit_pictures *pictures, int *room, const char *folder, const char *name)
+{
+    size_t size = strlen(folder) + strlen(name) + 2;
+    if (pictures->count == *room) {
+        int wanted = *room ? 2 * *room : 64;
+        char **grown = realloc(pictures->paths, (size_t)wanted * sizeof *grown);
+        if (!grown) {
+            return false;
+        }
+        pictures->paths = grown;
+        *room = wanted;
+    }
+    char *path = malloc(size);
+    if (path) {
+        snprintf(path, size, "%s/%s", folder, name);
+        pictures->paths[pictures->count++] = path;
+    }
+    return path;
+}
+
 static struct exhibit_pictures list_pictures(DIR *list, const char *path)
 {
-    struct exhibit_pictures pictures = {.paths = calloc(EXHIBIT_PICTURES, sizeof *pictures.paths)};
-    for (struct dirent *entry = readdir(list); entry && pictures.paths; entry = readdir(list)) {
-        size_t size = strlen(path) + strlen(entry->d_name) + 2;
-        if (!is_picture(entry->d_name)) {
-            continue;
-        }
-        char *whole = pictures.count < EXHIBIT_PICTURES ? malloc(size) : NULL;
-        if (whole) {
-            snprintf(whole, size, "%s/%s", path, entry->d_name);
-            pictures.paths[pictures.count++] = whole;
-        } else {
-            pictures.more++;
+    struct exhibit_pictures pictures = {0};
+    int room = 0;
+    for (struct dirent *entry = readdir(list); entry; entry = readdir(list)) {
+        if (is_picture(entry->d_name) && !add(&pictures, &room, path, entry->d_name)) {
+            break;
         }
     }
     if (pictures.count > 1) {
         qsort(pictures.paths, (size_t)pictures.count, sizeof *pictures.paths, by_name);
+    }
+    while (pictures.count > EXHIBIT_PICTURES) {
+        free(pictures.paths[--pictures.count]);
+        pictures.more++;
     }
     return pictures;
 }
@@ -220,7 +238,7 @@ static void check_pictures(struct reader *reader, const struct yaml_node *at, co
         reader_problem(reader, at, "%d pictures in '%.100s'; at most %d", pictures.count + pictures.more, path,
                        EXHIBIT_PICTURES);
     }
-    for (int i = 0; i < pictures.count && reader->def->every_picture && reader->def->load; i++) {
+    for (int i = 0; i < pictures.count && !pictures.more && reader->def->every_picture && reader->def->load; i++) {
         check_picture(reader, at, pictures.paths[i]);
     }
     exhibit_pictures_finish(&pictures);

@@ -90,7 +90,7 @@ static void read_inks(struct reader *reader, const struct yaml_node *item, const
 static void read_picture(struct reader *reader, const struct yaml_node *item, const char *name, enum action_verb verb,
                          struct exhibit_scene *scene)
 {
-    const struct yaml_node *node = yaml_get(item, name);
+    const struct yaml_node *node = (verb == ACTION_MASK ? scene->mask : scene->guide) ? yaml_get(item, name) : NULL;
     struct action action = action_default(verb);
     action.reading = READ_ALONG_EDGES;
     size_t length = reader_enter(reader, name);
