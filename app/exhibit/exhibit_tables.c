@@ -96,9 +96,9 @@ const struct key display_keys[] = {
     NUMBER("refresh", DISPLAY, refresh, "Hz", 0, 240, 0, "Pictures a second; 0: what the screen prefers."),
     CHOICE("rotation", DISPLAY, rotation, TURNS, 0, "Degrees clockwise that picture and touch are turned, together."),
     NUMBER("width", DISPLAY, width, "mm", 100, 5000, 530,
-           "Of the picture as it is looked at, across; what makes a button as large as a fingertip."),
+           "Width of the picture as it is looked at; what makes a button as large as a fingertip."),
     NUMBER("floor", DISPLAY, floor, "mm", 0, 3000, 800,
-           "From the floor to the lower edge of the picture; buttons stay within reach of a wheelchair."),
+           "Height of its lower edge over the floor; buttons stay within reach of a wheelchair."),
     FLAG("lying", DISPLAY, lying, 0, "Whether the screen lies as a table: nothing is out of reach by its height."),
     END,
 };
@@ -106,10 +106,10 @@ const struct key display_keys[] = {
 #define SHEET struct exhibit_sheet
 const struct key sheet_keys[] = {
     WHOLE("cells", SHEET, cells, "cells", EXHIBIT_CELLS_MIN, EXHIBIT_CELLS_MAX, 345600, false,
-          "Of the whole sheet, which has the shape of the screen; more is finer, and slower."),
+          "How fine the whole sheet is, which has the shape of the screen; more is finer, and slower."),
     WHOLE("margin", SHEET, margin, "cells", 0, PAINTING_MARGIN_MAX, 0, false,
           "Cells simulated beyond each side, so that growth does not turn square there."),
-    WHOLE("seed", SHEET, seed, "", 0, 2147483647, 1, false, "Of everything random: another seed is another paper."),
+    WHOLE("seed", SHEET, seed, "", 0, 2147483647, 1, false, "Seed of everything random: another one is another paper."),
     WHOLE("rate", SHEET, rate, "ticks a second", 10, 240, 60, false, "How fast the painting grows."),
     END,
 };
@@ -165,25 +165,26 @@ const struct key seat_keys[] = {
 
 #define VISIT struct exhibit_visit
 const struct key visit_keys[] = {
-    NUMBER("idle", VISIT, idle, "s", 5, 3600, 60, "Without any input, until the countdown begins."),
-    NUMBER("countdown", VISIT, countdown, "s", 3, 120, 15, "Of the countdown, which any input ends."),
-    NUMBER("thanks", VISIT, thanks, "s", 0, 60, 6, "That a finished picture is looked at before it is washed away."),
-    NUMBER("wash", VISIT, wash, "s", 1, 30, 5, "That the water takes across the sheet."),
+    NUMBER("idle", VISIT, idle, "s", 5, 3600, 60, "How long nobody does anything until the countdown begins."),
+    NUMBER("countdown", VISIT, countdown, "s", 3, 120, 15, "How long the countdown is; any input ends it."),
+    NUMBER("thanks", VISIT, thanks, "s", 0, 60, 6,
+           "How long a finished picture is looked at before it is washed away."),
+    NUMBER("wash", VISIT, wash, "s", 1, 30, 5, "How long the water takes across the sheet."),
     NUMBER("attract", VISIT, attract, "s", 20, 1800, 120,
-           "That a painting takes which the sheet paints by itself, with the rest after it."),
+           "How long a painting takes that the sheet paints by itself, with the rest after it."),
     NUMBER("next_scene", VISIT, next_scene, "paintings", 0, 1000, 1,
-           "That the sheet paints by itself until the next scene; 0: the scene stays."),
-    NUMBER("hide", VISIT, hide, "s", 0, 60, 1.5, "That hands are busy until the palette is out of their way."),
+           "After how many of those the next scene comes; 0: the scene stays."),
+    NUMBER("hide", VISIT, hide, "s", 0, 60, 1.5, "How long hands are busy until the palette goes out of their way."),
     END,
 };
 
 #define ACCESS struct exhibit_access
 const struct key access_keys[] = {
     NUMBER("scan", ACCESS, scan, "s", 0, 60, 0,
-           "That a line takes across the sheet, for those who have one switch; 0: there is none."),
+           "How long a line takes across the sheet, for those who have one switch; 0: there is none."),
     NUMBER("dwell", ACCESS, dwell, "s", 0, 10, 0,
-           "That a finger or a cursor must rest until a drop falls; 0: none falls."),
-    NUMBER("dwell_radius", ACCESS, dwell_radius, "mm", 2, 60, 12, "Within which it counts as resting."),
+           "How long a finger or a cursor rests until a drop falls; 0: none falls."),
+    NUMBER("dwell_radius", ACCESS, dwell_radius, "mm", 2, 60, 12, "How far it may stray and still rests."),
     ZONE("zone", ACCESS, zone, 0.5, false, "The part of the sheet that stands for all of it to a seated visitor."),
     END,
 };
@@ -200,8 +201,9 @@ const struct key schedule_keys[] = {
 const struct key gallery_keys[] = {
     TEXT("folder", GALLERY, folder, "a word", ID_BYTES, false,
          "A folder in Frond's state folder for finished pictures; nothing is kept if left out."),
-    WHOLE("pictures", GALLERY, pictures, "pictures", 1, 100000, 500, false, "Kept at most; the oldest one goes first."),
-    WHOLE("megabytes", GALLERY, megabytes, "MB", 1, 100000, 500, false, "Of all of them together, at most."),
+    WHOLE("pictures", GALLERY, pictures, "pictures", 1, 100000, 500, false,
+          "How many are kept; the oldest one goes first."),
+    WHOLE("megabytes", GALLERY, megabytes, "MB", 1, 100000, 500, false, "How much all of them may take together."),
     END,
 };
 
@@ -210,31 +212,31 @@ const struct key staff_keys[] = {
     SECTION("taps",
             "A list of 3 to 8 corners: top left, top right, bottom right, bottom left; these four in this order "
             "if left out."),
-    NUMBER("within", STAFF, within, "s", 0.3, 10, 2, "From one tap to the next, at most."),
-    NUMBER("hold", STAFF, hold, "s", 0.5, 10, 3, "That the last corner is held."),
+    NUMBER("within", STAFF, within, "s", 0.3, 10, 2, "How long it may take from one tap to the next."),
+    NUMBER("hold", STAFF, hold, "s", 0.5, 10, 3, "How long the last corner is held."),
     END,
 };
 
 #define WORDS(name, text) TEXT(name, struct words, in[0], "a text in each language", TEXT_BYTES, false, text)
 const struct key text_keys[TEXTS + 1] = {
-    [TEXT_INVITE] = WORDS("invite", "While nobody paints."),
-    [TEXT_INKS] = WORDS("inks", "Over the inks."),
-    [TEXT_DROP] = WORDS("drop", "The button for drops."),
-    [TEXT_BRUSH] = WORDS("brush", "The button for the brush."),
-    [TEXT_GUIDE] = WORDS("guide", "The button for guiding growth."),
-    [TEXT_POUR] = WORDS("pour", "The button for pouring."),
-    [TEXT_MASK] = WORDS("mask", "The button for places that stay free."),
-    [TEXT_REWIND] = WORDS("rewind", "The button for the time brush."),
-    [TEXT_UNDO] = WORDS("undo", "The button that takes back what was done last."),
-    [TEXT_REDO] = WORDS("redo", "The button that brings it back."),
-    [TEXT_FINISH] = WORDS("finish", "The button for a finished picture."),
-    [TEXT_HAND] = WORDS("hand", "The button that moves the palette to the other side."),
-    [TEXT_SEATED] = WORDS("seated", "The button that brings everything within a seated visitor's reach."),
-    [TEXT_LANGUAGE] = WORDS("language", "The button for the next language; the language's own name."),
-    [TEXT_COUNTDOWN] = WORDS("countdown", "Before the paper is washed; {seconds} becomes the number."),
-    [TEXT_STAY] = WORDS("stay", "Under the countdown: how to go on."),
-    [TEXT_THANKS] = WORDS("thanks", "Under a finished picture."),
-    [TEXT_CLOSED] = WORDS("closed", "A moment before the screen darkens."),
+    [TEXT_INVITE] = WORDS("invite", "What invites visitors while nobody paints."),
+    [TEXT_INKS] = WORDS("inks", "What stands over the inks."),
+    [TEXT_DROP] = WORDS("drop", "On the button for drops."),
+    [TEXT_BRUSH] = WORDS("brush", "On the button for the brush."),
+    [TEXT_GUIDE] = WORDS("guide", "On the button for guiding growth."),
+    [TEXT_POUR] = WORDS("pour", "On the button for pouring."),
+    [TEXT_MASK] = WORDS("mask", "On the button for places that stay free."),
+    [TEXT_REWIND] = WORDS("rewind", "On the button for the time brush."),
+    [TEXT_UNDO] = WORDS("undo", "On the button that takes back what was done last."),
+    [TEXT_REDO] = WORDS("redo", "On the button that brings it back."),
+    [TEXT_FINISH] = WORDS("finish", "On the button for a finished picture."),
+    [TEXT_HAND] = WORDS("hand", "On the button that moves the palette to the other side."),
+    [TEXT_SEATED] = WORDS("seated", "On the button that brings everything within a seated visitor's reach."),
+    [TEXT_LANGUAGE] = WORDS("language", "On the button for the next language; the language's own name."),
+    [TEXT_COUNTDOWN] = WORDS("countdown", "What is shown before the paper is washed; {seconds} becomes the number."),
+    [TEXT_STAY] = WORDS("stay", "What stands under the countdown: how to go on."),
+    [TEXT_THANKS] = WORDS("thanks", "What stands under a finished picture."),
+    [TEXT_CLOSED] = WORDS("closed", "What is shown a moment before the screen darkens."),
     [TEXTS] = END,
 };
 

@@ -65,7 +65,7 @@ static void read_mapping(struct reader *reader, const struct yaml_node *root, co
                          void *object, const char *allowed)
 {
     const struct yaml_node *node = yaml_get(root, name);
-    if (!node) {
+    if (!node || yaml_is_nothing(node)) {
         return;
     }
     size_t length = reader_enter(reader, name);

@@ -1,0 +1,158 @@
+/* The self-documenting exhibit: every key of every table stands in it, under the very words of `frond explain`.
+ *
+ * After a change of a table: test_exhibit_example --write, which puts the comments right; keys that are missing are
+ * named by the test, and are put in by hand. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "example.h"
+#include "exhibit.h"
+#include "explain.h"
+
+static const char PATH[] = FROND_EXHIBITS "/touch-table.yaml";
+
+static void every_key_stands_in_it(void **state)
+{
+    const struct example *example = *state;
+    int missing = 0;
+    for (int i = 0; i < example->row_count; i++) {
+        const struct example_row *row = &example->rows[i];
+        if (row->line < 0) {
+            print_error("%s: the key %s is missing\n", row->place, row->key.name);
+            missing++;
+        }
+    }
+    assert_true(example->row_count > 250);
+    assert_int_equal(missing, 0);
+}
+
+static void every_comment_is_that_of_its_table(void **state)
+{
+    const struct example *example = *state;
+    char found[EXAMPLE_COMMENT], wanted[EXAMPLE_COMMENT];
+    int wrong = 0;
+    for (int i = 0; i < example->row_count; i++) {
+        const struct example_row *row = &example->rows[i];
+        if (row->line < 0) {
+            continue;
+        }
+        example_comment(example, row->line, found, sizeof found);
+        explain_comment(&row->key, wanted, sizeof wanted);
+        if (strcmp(found, wanted) != 0) {
+            print_error("line %d, %s.%s:\n  is:     %s\n  should: %s\n", row->line + 1, row->place, row->key.name,
+                        found, wanted);
+            wrong++;
+        }
+    }
+    assert_int_equal(wrong, 0);
+}
+
+/* What `frond explain` prints, found again: meaning and range of every row. */
+static void explain_says_the_same(void **state)
+{
+    const struct example *example = *state;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    assert_non_null(out);
+    assert_true(explain(NULL, out));
+    assert_int_equal(fclose(out), 0);
+    for (int i = 0; i < example->row_count; i++) {
+        const struct key *key = &example->rows[i].key;
+        char range[EXAMPLE_COMMENT], line[2 * EXAMPLE_COMMENT];
+        bool verb = strcmp(key->unit, "section") == 0 && action_find(key->name) != ACTION_VERBS;
+        if (verb) {
+            snprintf(line, sizeof line, "%s: %s\n", key->name, key->meaning);
+        } else {
+            snprintf(line, sizeof line, "  %s (%s)\n      %s\n", key->name, explain_range(key, range, sizeof range),
+                     key->meaning);
+        }
+        if (!strstr(text, line)) {
+            fail_msg("explain lacks:\n%s", line);
+        }
+    }
+    free(text);
+}
+
+/* A value that is commented out is the default. */
+static void what_is_commented_out_is_the_default(void **state)
+{
+    const struct example *example = *state;
+    int compared = 0;
+    for (int i = 0; i < example->line_count; i++) {
+        const struct example_line *line = &example->kinds[i];
+        const struct key *key = line->row >= 0 ? &example->rows[line->row].key : NULL;
+        char initial[64];
+        if (!key || !line->commented || key->required || strcmp(key->unit, "section") == 0 ||
+            example->rows[line->row].line != i) {
+            continue;
+        }
+        if (key->type == KEY_NUMBER || key->type == KEY_INTEGER || key->type == KEY_TIME) {
+            snprintf(initial, sizeof initial, "%.10g", key->initial);
+        } else if (key->type == KEY_FLAG) {
+            snprintf(initial, sizeof initial, "%s", key->initial != 0 ? "true" : "false");
+        } else if (key->type == KEY_CHOICE) {
+            snprintf(initial, sizeof initial, "%s", key->choices[(int)key->initial]);
+        } else {
+            continue;
+        }
+        if (strcmp(line->value, initial) != 0) {
+            fail_msg("line %d: %s: %s; the default is %s", i + 1, key->name, line->value, initial);
+        }
+        compared++;
+    }
+    assert_true(compared > 100);
+}
+
+static void shipped_words_are_shown(void **state)
+{
+    const struct example *example = *state;
+    for (int i = 0; i < TEXTS; i++) {
+        enum exhibit_text text = (enum exhibit_text)i;
+        char wanted[400];
+        bool found = false;
+        snprintf(wanted, sizeof wanted, "  #%s: {en: \"%s\"}", words_key(text), words_shipped(text, 0));
+        for (int k = 0; k < example->line_count; k++) {
+            found = found || strcmp(example->lines[k], wanted) == 0;
+        }
+        if (!found) {
+            fail_msg("lacks: %s", wanted);
+        }
+    }
+}
+
+static int read_example(void **state)
+{
+    *state = example_read(PATH);
+    return 0;
+}
+
+static int destroy_example(void **state)
+{
+    example_destroy(*state);
+    return 0;
+}
+
+int main(int argc, char *argv[])
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_key_stands_in_it),  cmocka_unit_test(every_comment_is_that_of_its_table),
+        cmocka_unit_test(explain_says_the_same),   cmocka_unit_test(what_is_commented_out_is_the_default),
+        cmocka_unit_test(shipped_words_are_shown),
+    };
+    if (argc == 2 && strcmp(argv[1], "--write") == 0) {
+        struct example *example = example_read(PATH);
+        example_write(example, PATH);
+        example_destroy(example);
+        return 0;
+    }
+    return cmocka_run_group_tests(tests, read_example, destroy_example);
+}
