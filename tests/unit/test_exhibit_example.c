@@ -129,6 +129,47 @@ static void shipped_words_are_shown(void **state)
     }
 }
 
+/* What names a file that is not there, an ink that not every scene has, or goes with no other key beside it. */
+static bool is_only_an_example(const struct key *key)
+{
+    static const char *const NAMES[] = {"inks", "sessions", NULL};
+    bool named = false;
+    for (int i = 0; NAMES[i]; i++) {
+        named = named || strcmp(key->name, NAMES[i]) == 0;
+    }
+    return named || key->type == KEY_INK || key->type == KEY_PICTURE || key->type == KEY_RASTER ||
+           (key->type == KEY_TEXT && strncmp(key->unit, "the path", 8) == 0);
+}
+
+/* Everything can be tried by taking its # away. */
+static void it_is_right_without_its_marks(void **state)
+{
+    const struct example *example = *state;
+    struct script_def def = script_default_def();
+    struct report report;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    assert_non_null(out);
+    for (int i = 0; i < example->line_count; i++) {
+        const struct example_line *line = &example->kinds[i];
+        const char *from = example->lines[i];
+        bool taken = line->commented && line->row >= 0 && !is_only_an_example(&example->rows[line->row].key);
+        fprintf(out, "%.*s%s\n", line->column, from, from + line->column + taken);
+    }
+    assert_int_equal(fclose(out), 0);
+    report_init(&report, "example.yaml");
+    struct exhibit *exhibit = exhibit_parse(text, size, ".", &def, &report);
+    if (!exhibit) {
+        report_print(&report, stderr);
+    }
+    assert_non_null(exhibit);
+    assert_int_equal(exhibit->inputs->keyboard_count, 1);
+    exhibit_destroy(exhibit);
+    report_finish(&report);
+    free(text);
+}
+
 static int read_example(void **state)
 {
     *state = example_read(PATH);
@@ -146,7 +187,7 @@ int main(int argc, char *argv[])
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_key_stands_in_it),  cmocka_unit_test(every_comment_is_that_of_its_table),
         cmocka_unit_test(explain_says_the_same),   cmocka_unit_test(what_is_commented_out_is_the_default),
-        cmocka_unit_test(shipped_words_are_shown),
+        cmocka_unit_test(shipped_words_are_shown), cmocka_unit_test(it_is_right_without_its_marks),
     };
     if (argc == 2 && strcmp(argv[1], "--write") == 0) {
         struct example *example = example_read(PATH);
