@@ -3,7 +3,7 @@
 
 #include "kiosk_state.h"
 
-enum { STATUS_EVERY_US = 500000 };
+enum { STATUS_EVERY_US = 500000, FADE_MS = 16 };
 
 static const float CORNER = 0.12f; /* of the longer side: where the staff's taps count */
 
@@ -117,7 +117,7 @@ static void welcome(struct kiosk *kiosk)
     choose_again(kiosk);
 }
 
-static void obey(struct kiosk *kiosk, const struct visit_order *order)
+static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t now_us)
 {
     const struct kiosk_stage *stage = &kiosk->def.stage;
     switch (order->kind) {
@@ -129,7 +129,7 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order)
         kiosk->begun = false;
         break;
     case ORDER_PALETTE:
-        kiosk->hud.shown = order->on;
+        hud_show(&kiosk->hud, order->on, now_us);
         break;
     case ORDER_KEEP:
         stage->keep(stage->context);
@@ -142,7 +142,7 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order)
         stage->power(stage->context, order->on);
         break;
     case ORDER_STATUS:
-        kiosk->status = order->on;
+        kiosk->hud.status = order->on;
         kiosk->lines_us = 0;
         break;
     case ORDER_SCENE:
@@ -154,11 +154,11 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order)
     }
 }
 
-static void obey_all(struct kiosk *kiosk)
+static void obey_all(struct kiosk *kiosk, uint64_t now_us)
 {
     struct visit_order order;
     while (visit_order(&kiosk->visit, &order)) {
-        obey(kiosk, &order);
+        obey(kiosk, &order, now_us);
     }
 }
 
@@ -184,7 +184,7 @@ static void run_wash(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
     kiosk->washing = false;
     if (!kiosk->attracting) {
         visit_feel(&kiosk->visit, VISIT_WASHED, now_us);
-        obey_all(kiosk);
+        obey_all(kiosk, now_us);
         return;
     }
     kiosk->paintings++;
@@ -243,7 +243,7 @@ static void keep_hours(struct kiosk *kiosk, uint64_t now_us, time_t time)
 static void tell_status(struct kiosk *kiosk, uint64_t now_us)
 {
     const struct kiosk_stage *stage = &kiosk->def.stage;
-    if (!kiosk->status || (kiosk->lines_us > 0 && now_us < kiosk->lines_us + STATUS_EVERY_US)) {
+    if (!kiosk->hud.status || (kiosk->lines_us > 0 && now_us < kiosk->lines_us + STATUS_EVERY_US)) {
         return;
     }
     kiosk->lines_us = now_us;
@@ -269,10 +269,10 @@ void kiosk_run(struct kiosk *kiosk, uint64_t now_us, time_t time)
     if (held) {
         visit_feel(&kiosk->visit, VISIT_HOLD, now_us);
     }
-    hud_busy(&kiosk->hud, held, now_us);
+    kiosk_busy(kiosk, now_us);
     kiosk_run_access(kiosk, now_us);
     visit_run(&kiosk->visit, now_us);
-    obey_all(kiosk);
+    obey_all(kiosk, now_us);
     run_sheet(kiosk, now_us);
     tell_status(kiosk, now_us);
 }
@@ -284,7 +284,8 @@ static int sooner(int a, int b)
 
 int kiosk_timeout_ms(const struct kiosk *kiosk, uint64_t now_us, int most)
 {
-    int ms = sooner(most, visit_timeout_ms(&kiosk->visit, now_us));
+    int ms = sooner(most, visit_timeout_ms(&kiosk->visit, now_us)), fade = hud_timeout_ms(&kiosk->hud, now_us);
+    ms = sooner(ms, fade == 0 ? FADE_MS : fade);
     return sooner(ms, staff_timeout_ms(&kiosk->staff, now_us));
 }
 
@@ -310,7 +311,7 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     kiosk_layout(kiosk);
     visit_feel(&kiosk->visit, VISIT_RELOAD, now_us);
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk_scene(kiosk)->script);
-    obey_all(kiosk);
+    obey_all(kiosk, now_us);
     return old;
 }
 

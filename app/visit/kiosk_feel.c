@@ -66,30 +66,48 @@ static bool feel_dark(struct kiosk *kiosk, const struct event *event, uint64_t n
     return false;
 }
 
-/* In the staff's view fingers reach its two buttons, and nothing else. */
-static bool feel_status(struct kiosk *kiosk, const struct event *event, uint64_t now_us)
-{
-    float x = event->x * (float)kiosk->def.width, y = event->y * (float)kiosk->def.height;
-    for (int i = 0; event->kind == EVENT_UP && i < 2; i++) {
-        const struct hud_button *button = &kiosk->status_buttons[i];
-        if (x >= button->x && x < button->x + button->width && y >= button->y && y < button->y + button->height) {
-            kiosk_press(kiosk, &(struct hud_press){0, button->kind, 0, event->time_us}, now_us);
-        }
-    }
-    return false;
-}
-
-static int seats_finger(const struct event *event)
+static int finger_id(const struct event *event)
 {
     return (int)event->source << 16 | event->slot;
+}
+
+/* Which seats have a hand on the sheet. */
+static void follow_hand(struct kiosk *kiosk, const struct event *event)
+{
+    struct kiosk_hand *hand = NULL;
+    bool comes = event->kind == EVENT_DOWN;
+    for (int i = 0; i < KIOSK_HANDS; i++) {
+        struct kiosk_hand *other = &kiosk->hands[i];
+        if (other->used && other->id == finger_id(event)) {
+            hand = other;
+            break;
+        }
+        hand = comes && !hand && !other->used ? other : hand;
+    }
+    if (hand && comes) {
+        *hand = (struct kiosk_hand){true, finger_id(event), hud_seat(&kiosk->hud, event->x, event->y)};
+    } else if (hand && event->kind != EVENT_MOVE) {
+        hand->used = false;
+    }
+}
+
+void kiosk_busy(struct kiosk *kiosk, uint64_t now_us)
+{
+    bool busy[EXHIBIT_SEATS] = {false};
+    for (int i = 0; i < KIOSK_HANDS; i++) {
+        busy[kiosk->hands[i].seat] = busy[kiosk->hands[i].seat] || kiosk->hands[i].used;
+    }
+    for (int i = 0; i < kiosk->hud.count; i++) {
+        hud_busy(&kiosk->hud, i, busy[i], now_us);
+    }
 }
 
 static void follow_dwelling(struct kiosk *kiosk, const struct event *event, uint64_t now_us)
 {
     if (event->kind == EVENT_UP || event->kind == EVENT_CANCEL) {
-        access_leave(&kiosk->access, seats_finger(event));
+        access_leave(&kiosk->access, finger_id(event));
     } else {
-        access_point(&kiosk->access, seats_finger(event), event->x, event->y, now_us);
+        access_point(&kiosk->access, finger_id(event), event->x, event->y, now_us);
     }
 }
 
@@ -106,9 +124,7 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
     if (is_finger(event)) {
         staff_feel(&kiosk->staff, event);
     }
-    if (kiosk->status && is_finger(event)) {
-        return feel_status(kiosk, event, now_us);
-    }
+    bool palette = is_finger(event) && hud_feel(&kiosk->hud, event, &press, &pressed);
     if (kiosk_is_input(kiosk, event)) {
         visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
         kiosk_run(kiosk, now_us, kiosk->time); /* a first touch is for a fresh sheet: that comes before its drop */
@@ -116,13 +132,14 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
     if (!is_finger(event)) {
         return true;
     }
-    access_reach(&kiosk->access, event);
-    if (hud_feel(&kiosk->hud, event, &press, &pressed)) {
-        if (pressed) {
-            kiosk_press(kiosk, &press, now_us);
-        }
+    if (pressed) {
+        kiosk_press(kiosk, &press, now_us);
+    }
+    if (palette) {
         return false;
     }
+    access_reach(&kiosk->access, event);
+    follow_hand(kiosk, event);
     follow_dwelling(kiosk, event, now_us);
     return true;
 }
@@ -134,37 +151,21 @@ static void post_verb(struct kiosk *kiosk, enum action_verb verb, int visitor, u
     kiosk_post(kiosk, &action, time_us);
 }
 
-static void next_language(struct kiosk *kiosk)
+/* What is chosen on a palette, for the controls. */
+static void choose(struct kiosk *kiosk, int seat)
 {
-    const struct exhibit *exhibit = kiosk->exhibit;
-    int at = 0;
-    for (int i = 0; i < exhibit->language_count; i++) {
-        at = exhibit->languages[i] == kiosk->hud.language ? i : at;
-    }
-    kiosk->hud.language = exhibit->languages[(at + 1) % exhibit->language_count];
-    hud_layout(&kiosk->hud);
-}
-
-static void choose(struct kiosk *kiosk, int seat, int tool, int ink)
-{
-    struct hud_panel *panel = &kiosk->hud.panels[seat];
-    panel->tool = tool;
-    panel->ink = ink;
     if (kiosk->controls) {
-        controls_set_tool(kiosk->controls, seat, tool);
-        controls_set_ink(kiosk->controls, seat, ink);
+        controls_set_tool(kiosk->controls, seat, kiosk->hud.panels[seat].tool);
+        controls_set_ink(kiosk->controls, seat, kiosk->hud.panels[seat].ink);
     }
 }
 
 void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t now_us)
 {
-    struct hud_panel *panel = &kiosk->hud.panels[press->seat];
     switch (press->kind) {
     case HUD_INK:
-        choose(kiosk, press->seat, panel->tool, press->value);
-        break;
     case HUD_TOOL:
-        choose(kiosk, press->seat, press->value, panel->ink);
+        choose(kiosk, press->seat);
         break;
     case HUD_UNDO:
         post_verb(kiosk, ACTION_UNDO, press->seat + 1, press->time_us);
@@ -175,16 +176,8 @@ void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t no
     case HUD_FINISH:
         visit_feel(&kiosk->visit, VISIT_FINISH, now_us);
         break;
-    case HUD_HAND:
-        kiosk->hud.swapped = !kiosk->hud.swapped;
-        hud_layout(&kiosk->hud);
-        break;
     case HUD_SEATED:
-        kiosk->hud.seated = kiosk->access.seated = !kiosk->hud.seated;
-        hud_layout(&kiosk->hud);
-        break;
-    case HUD_LANGUAGE:
-        next_language(kiosk);
+        kiosk->access.seated = kiosk->hud.seated;
         break;
     case HUD_EXIT:
         kiosk->leaves = true;
@@ -234,13 +227,16 @@ void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
         visit_feel(&kiosk->visit, VISIT_STAFF, now_us);
         break;
     case WISH_NEXT_TOOL:
-        choose(kiosk, seat, next_tool(kiosk, kiosk->hud.panels[seat].tool), kiosk->hud.panels[seat].ink);
+        kiosk->hud.panels[seat].tool = next_tool(kiosk, kiosk->hud.panels[seat].tool);
+        hud_layout(&kiosk->hud);
+        choose(kiosk, seat);
         break;
     case WISH_NEXT_SCENE:
         visit_feel(&kiosk->visit, VISIT_SCENE, now_us);
         break;
     case WISH_NEXT_LANGUAGE:
-        next_language(kiosk);
+        kiosk->hud.language = hud_next_language(&kiosk->hud);
+        hud_layout(&kiosk->hud);
         break;
     case WISH_SWITCH:
         access_switch(&kiosk->access, wish->down, buttons_of(kiosk), now_us);
@@ -272,8 +268,10 @@ void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us)
         if (result.what == ACCESS_DROP) {
             tap(kiosk, result.x, result.y, now_us);
         } else if (result.button >= 0 && result.button < buttons_of(kiosk)) {
-            const struct hud_button *button = &kiosk->hud.panels[0].buttons[result.button];
-            kiosk_press(kiosk, &(struct hud_press){0, button->kind, button->value, now_us}, now_us);
+            struct hud_press press;
+            if (hud_press(&kiosk->hud, 0, result.button, now_us, &press)) {
+                kiosk_press(kiosk, &press, now_us);
+            }
         }
     }
     if (kiosk->hud.count > 0) {

@@ -19,10 +19,10 @@ static void put_middle(struct kiosk *kiosk, int piece, float x, float y, float o
 
 static void look_at_panels(struct kiosk *kiosk, uint64_t now_us)
 {
-    float opacity = hud_opacity(&kiosk->hud, now_us);
-    for (int i = 0; i < kiosk->hud.count && opacity > 0; i++) {
+    for (int i = 0; i < kiosk->hud.count; i++) {
         const struct hud_panel *panel = &kiosk->hud.panels[i];
-        if (panel->side == SIDE_OF_NONE || panel->count == 0) {
+        float opacity = hud_opacity(&kiosk->hud, i, now_us);
+        if (panel->side == SIDE_OF_NONE || panel->count == 0 || opacity <= 0) {
             continue;
         }
         struct hud_image *image = &kiosk->images[PIECE_PANEL + i];
@@ -110,7 +110,13 @@ static void look_at_status(struct kiosk *kiosk)
 
 static bool same(const struct kiosk_piece *a, const struct kiosk_piece *b)
 {
-    return memcmp(a, b, sizeof *a) == 0;
+    const float places[] = {a->x - b->x, a->y - b->y, a->width - b->width, a->height - b->height,
+                            a->opacity - b->opacity};
+    bool other = a->image != b->image;
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        other = other || fabsf(places[i]) > 0;
+    }
+    return !other;
 }
 
 const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
@@ -131,7 +137,7 @@ const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
     } else if (kiosk->visit.state == VISIT_COUNTDOWN) {
         look_at_countdown(kiosk, now_us);
     }
-    if (kiosk->status) {
+    if (kiosk->hud.status) {
         look_at_status(kiosk);
     }
     if (kiosk->trouble) {

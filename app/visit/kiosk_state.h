@@ -13,7 +13,7 @@
 #include "visit.h"
 #include "wash.h"
 
-enum { KIOSK_AXES = 32 };
+enum { KIOSK_AXES = 32, KIOSK_HANDS = 64 };
 
 struct kiosk {
     struct kiosk_def def;
@@ -34,13 +34,17 @@ struct kiosk {
     bool begun;      /* ...and has been told what */
     bool washing;    /* for attract's next painting, or for the visit */
     int paintings;   /* of attract, in this scene */
-    bool status, leaves;
+    bool leaves;
     bool dark;
     uint64_t woken_us; /* a touch has opened it until then; 0: none has */
     time_t time;       /* of the last run */
     struct schedule_answer hours;
     uint64_t held_us;   /* a hand was down then */
     int switches;       /* one-switch play: presses that are down */
+    struct kiosk_hand { /* a finger on the sheet */
+        bool used;
+        int id, seat;
+    } hands[KIOSK_HANDS];
     struct kiosk_axis { /* where an axis was when it last counted as input: drift is no visitor */
         uint32_t device, control;
         int index;
@@ -51,7 +55,6 @@ struct kiosk {
     char lines[4096]; /* of the staff's view */
     uint64_t lines_us;
     struct kiosk_pieces pieces;
-    struct hud_button status_buttons[2];
     struct hud_image images[KIOSK_PIECES];
 };
 
@@ -60,6 +63,9 @@ void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t no
 void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us);
 /* Whether an event is something that somebody did. */
 bool kiosk_is_input(struct kiosk *kiosk, const struct event *event);
+
+/* Tells the palettes which hands are busy. */
+void kiosk_busy(struct kiosk *kiosk, uint64_t now_us);
 
 /* kiosk.c */
 void kiosk_layout(struct kiosk *kiosk);
