@@ -61,6 +61,7 @@ enum action_reading {                    /* how a picture becomes a vector field
 
 struct action {
     int64_t tick;
+    int visitor; /* whose it is: 0 nobody's, or the script's */
     enum action_verb verb;
     struct point at;
     bool has_at;
