@@ -20,7 +20,8 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
                                         .width = size.width,
                                         .height = size.height};
     input->sources = sources_create(&sources);
-    input->controls = controls_create(&(struct controls_def){inputs, script->ink_count, script->coefficients});
+    input->controls = controls_create(
+        &(struct controls_def){.inputs = inputs, .inks = script->ink_count, .coefficients = script->coefficients});
     input->lamps.inputs = inputs;
     if (!input->sources || !input->controls) {
         return false;
@@ -85,6 +86,7 @@ void live_input_feel(struct live_input *input, struct display *display, struct s
 {
     struct event event;
     struct action action;
+    struct wish wish;
     struct studio_consumed consumed;
     uint64_t time_us;
     while (studio_consumed(studio, &consumed)) {
@@ -102,8 +104,10 @@ void live_input_feel(struct live_input *input, struct display *display, struct s
     while (controls_action(input->controls, &action, &time_us)) {
         input->refused += !studio_post_event(studio, &action, time_us);
     }
-    if (controls_undo(input->controls)) {
-        studio_undo(studio);
+    while (controls_wish(input->controls, &wish)) {
+        if (wish.kind == WISH_UNDO) {
+            studio_undo(studio);
+        }
     }
     light(input);
 }

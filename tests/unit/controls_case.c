@@ -22,7 +22,8 @@ struct place open_place(const char *bindings)
         fail_msg("%s", report_text(&report));
     }
     report_finish(&report);
-    place.controls = controls_create(&(struct controls_def){place.inputs, INKS, coefficients_default()});
+    place.controls = controls_create(
+        &(struct controls_def){.inputs = place.inputs, .inks = INKS, .coefficients = coefficients_default()});
     assert_non_null(place.controls);
     return place;
 }

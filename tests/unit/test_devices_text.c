@@ -114,7 +114,7 @@ static void assert_valid(const char *binding)
     if (!inputs) {
         fail_msg("%s: %s", binding, report_text(&report));
     }
-    assert_int_equal(inputs->binding_count, 1);
+    assert_int_equal(inputs->written_count, 1);
     inputs_destroy(inputs);
     report_finish(&report);
 }
