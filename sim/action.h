@@ -66,7 +66,6 @@ struct action {
     int64_t tick;
     int visitor; /* whose it is: 0 nobody's, or the script's */
     enum action_verb verb;
-    int visitor; /* who does it: 0 nobody or the script, 1.. a visitor; undo and redo of 0: whoever acted last */
     struct point at;
     bool has_at;
     struct action_path path;

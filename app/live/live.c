@@ -259,11 +259,11 @@ static bool open_studio(struct live *live)
     struct studio_error error;
     struct painting_def painting = script_painting(live->script);
     const struct shader_folder *folder = live->folder.path ? &live->folder : NULL;
-    struct engine_choice choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
-                                                engine_choice_path(path, sizeof path) ? path : NULL);
-    say("%s", choice.why);
+    live->choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
+                                 engine_choice_path(path, sizeof path) ? path : NULL);
+    say("%s", live->choice.why);
     def.script = live->script;
-    def.engine = choice.kind;
+    def.engine = live->choice.kind;
     def.folder = folder;
     def.ticks_per_second = live->def->ticks_per_second;
     def.xray = live->def->xray;
@@ -275,10 +275,20 @@ static bool open_studio(struct live *live)
     return live->studio;
 }
 
+/* The exhibit's kiosk with its input, or the input of a session. */
 static bool open_input(struct live *live)
 {
-    bool good = live_input_open(&live->input, live->script, live->display,
-                                &(struct live_input_def){live->def->inputs, live->def->rotation, live->def->hold});
+    const struct live_input_def input = {
+        .inputs = live->def->inputs, .rotation = live->def->rotation, .hold = live->def->hold};
+    const struct live_kiosk_def def = {live->def->exhibit, live->def->state};
+    const struct live_status_def status = {.display = live->display,
+                                           .studio = live->studio,
+                                           .input = &live->input,
+                                           .care = &live->care,
+                                           .engine = live->choice.why};
+    bool good = live_kiosk_open(&live->kiosk, &def, &status, &live->picture, &live->input, &input,
+                                live->def->shaders ? &live->folder : NULL) &&
+                (def.exhibit || live_input_open(&live->input, live->script, live->display, &input));
     if (!good) {
         say("memory is short for what visitors do");
     }
@@ -295,7 +305,7 @@ bool live(const struct script *script, struct display *display, const struct liv
     say("display: %s", live.described);
     bool good = live.signals >= 0 &&
                 live_care_init(&live.care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
-                open_input(&live) && open_studio(&live);
+                open_studio(&live) && open_input(&live);
     if (good) {
         studio_rest(live.studio, live.state != DISPLAY_SHOWN);
         good = run(&live);
@@ -304,6 +314,7 @@ bool live(const struct script *script, struct display *display, const struct liv
     }
     studio_destroy(live.studio);
     live_input_close(&live.input);
+    live_kiosk_close(&live.kiosk);
     live_picture_finish(&live.picture);
     live_care_finish(&live.care);
     release_signals(live.signals);

@@ -34,9 +34,11 @@ struct live_kiosk {
     bool has_line;
 };
 
-/* The exhibit must be fitted to the display's shape (script_fit). False when memory is short. */
+/* The exhibit must have the display's shape (live_kiosk_fit). With an exhibit this opens the input as well. False when
+ * memory is short. */
 bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def, const struct live_status_def *status,
-                     struct live_picture *picture, struct live_input *input, const struct shader_folder *folder);
+                     struct live_picture *picture, struct live_input *input, const struct live_input_def *input_def,
+                     const struct shader_folder *folder);
 void live_kiosk_close(struct live_kiosk *kiosk);
 /* Once a turn of the loop, whether a frame is drawn or not. */
 void live_kiosk_run(struct live_kiosk *kiosk);

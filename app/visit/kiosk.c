@@ -39,7 +39,7 @@ struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us)
     kiosk->attract = attract;
     kiosk->hours.open = true;
     kiosk->sheet = def->stage.sheet(def->stage.context).number;
-    visit_init(&kiosk->visit, &kiosk->exhibit->visit, now_us);
+    visit_init(&kiosk->visit, kiosk->exhibit, now_us);
     kiosk_layout(kiosk);
     hud_reset(&kiosk->hud);
     return kiosk;
@@ -73,9 +73,9 @@ void kiosk_controls(struct kiosk *kiosk, struct controls *controls)
     choose_again(kiosk);
 }
 
-void kiosk_post(struct kiosk *kiosk, const struct action *action, uint64_t event_us)
+bool kiosk_post(struct kiosk *kiosk, const struct action *action, uint64_t event_us)
 {
-    kiosk->def.stage.post(kiosk->def.stage.context, action, event_us);
+    return kiosk->def.stage.post(kiosk->def.stage.context, action, event_us);
 }
 
 static struct kiosk_sheet sheet_of(const struct kiosk *kiosk)
@@ -96,6 +96,10 @@ static void next_scene(struct kiosk *kiosk)
     kiosk->paintings = 0;
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk->exhibit->scenes[kiosk->scene].script);
     kiosk_layout(kiosk);
+    if (kiosk->controls) {
+        const struct script *script = kiosk_scene(kiosk)->script;
+        controls_scene(kiosk->controls, script->ink_count, &script->coefficients);
+    }
     choose_again(kiosk);
 }
 
@@ -151,10 +155,12 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t 
     case ORDER_WELCOME:
         welcome(kiosk);
         break;
+    case ORDER_KINDS:
+        break;
     }
 }
 
-static void obey_all(struct kiosk *kiosk, uint64_t now_us)
+void kiosk_obey(struct kiosk *kiosk, uint64_t now_us)
 {
     struct visit_order order;
     while (visit_order(&kiosk->visit, &order)) {
@@ -184,7 +190,7 @@ static void run_wash(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
     kiosk->washing = false;
     if (!kiosk->attracting) {
         visit_feel(&kiosk->visit, VISIT_WASHED, now_us);
-        obey_all(kiosk, now_us);
+        kiosk_obey(kiosk, now_us);
         return;
     }
     kiosk->paintings++;
@@ -236,8 +242,7 @@ static void keep_hours(struct kiosk *kiosk, uint64_t now_us, time_t time)
     }
     kiosk->time = time;
     kiosk->hours = schedule_at(kiosk->exhibit, time, kiosk->def.built);
-    bool open = kiosk->hours.open || now_us < kiosk->woken_us;
-    visit_feel(&kiosk->visit, open ? VISIT_OPEN : VISIT_CLOSE, now_us);
+    visit_feel(&kiosk->visit, kiosk->hours.open ? VISIT_OPEN : VISIT_CLOSE, now_us);
 }
 
 static void tell_status(struct kiosk *kiosk, uint64_t now_us)
@@ -272,7 +277,7 @@ void kiosk_run(struct kiosk *kiosk, uint64_t now_us, time_t time)
     kiosk_busy(kiosk, now_us);
     kiosk_run_access(kiosk, now_us);
     visit_run(&kiosk->visit, now_us);
-    obey_all(kiosk, now_us);
+    kiosk_obey(kiosk, now_us);
     run_sheet(kiosk, now_us);
     tell_status(kiosk, now_us);
 }
@@ -306,12 +311,11 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
         kiosk->scene = strcmp(exhibit->scenes[i].id, id) == 0 ? i : kiosk->scene;
     }
     kiosk->time = 0;
-    kiosk->visit.times = exhibit->visit;
     kiosk->controls = NULL;
     kiosk_layout(kiosk);
-    visit_feel(&kiosk->visit, VISIT_RELOAD, now_us);
+    visit_reload(&kiosk->visit, exhibit, now_us);
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk_scene(kiosk)->script);
-    obey_all(kiosk, now_us);
+    kiosk_obey(kiosk, now_us);
     return old;
 }
 

@@ -4,6 +4,7 @@
  *
  *     kiosk_controls(kiosk, controls);                 whenever there are others
  *     if (kiosk_feel(kiosk, &event, now_us)) { controls_feel(controls, &event); }
+ *     while (controls_action(controls, &action, &us)) { kiosk_act(kiosk, &action, us, now_us); }
  *     while (controls_wish(controls, &wish)) { kiosk_wish(kiosk, &wish, now_us); }
  *     kiosk_run(kiosk, now_us, time);                  before each frame
  *     kiosk_look(kiosk, now_us)                        what is to be seen (kiosk_look.h)
@@ -59,6 +60,9 @@ void kiosk_destroy(struct kiosk *kiosk); /* takes NULL */
 void kiosk_controls(struct kiosk *kiosk, struct controls *controls);
 /* Whether the controls may feel the event, which may come out at another place (a reach-limited zone). */
 bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us);
+/* What a visitor does to the sheet: it is posted, unless the visit is not for painting now. False: the stage had no
+ * room for it. */
+bool kiosk_act(struct kiosk *kiosk, const struct action *action, uint64_t event_us, uint64_t now_us);
 void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us);
 void kiosk_run(struct kiosk *kiosk, uint64_t now_us, time_t time);
 /* When kiosk_run has something to do: ms, at most `most`. */

@@ -4,7 +4,6 @@
 
 enum {
     SYNTHETIC_SLOT = 900, /* fingers of dwelling and of the switch: beyond all real slots */
-    WAKE_US_A_MINUTE = 60000000,
 };
 
 static const float AXIS_MOVES = 0.1f; /* of its way: less is drift */
@@ -33,7 +32,6 @@ bool kiosk_is_input(struct kiosk *kiosk, const struct event *event)
 {
     switch (event->kind) {
     case EVENT_DOWN:
-    case EVENT_MOVE:
         return true;
     case EVENT_CONTROL:
         if (event->relative) {
@@ -54,16 +52,14 @@ static bool is_finger(const struct event *event)
 }
 
 /* The room is closed: a touch wakes the screen where the exhibit says so, and does nothing else. */
-static bool feel_dark(struct kiosk *kiosk, const struct event *event, uint64_t now_us)
+static void feel_dark(struct kiosk *kiosk, const struct event *event, uint64_t now_us)
 {
     bool begins = event->kind == EVENT_DOWN || (event->kind == EVENT_CONTROL && kiosk_is_input(kiosk, event));
     if (begins && kiosk->exhibit->wake > 0) {
-        kiosk->woken_us = now_us + (uint64_t)kiosk->exhibit->wake * WAKE_US_A_MINUTE;
         swallow_begin(&kiosk->swallow);
-        visit_feel(&kiosk->visit, VISIT_OPEN, now_us);
+        visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
     }
     swallow_pass(&kiosk->swallow, event);
-    return false;
 }
 
 static int finger_id(const struct event *event)
@@ -116,7 +112,8 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
     struct hud_press press;
     bool pressed = false;
     if (kiosk->dark) {
-        return feel_dark(kiosk, event, now_us);
+        feel_dark(kiosk, event, now_us);
+        return false;
     }
     if (!swallow_pass(&kiosk->swallow, event)) {
         return false;
@@ -127,7 +124,9 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
     bool palette = is_finger(event) && hud_feel(&kiosk->hud, event, &press, &pressed);
     if (kiosk_is_input(kiosk, event)) {
         visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
-        kiosk_run(kiosk, now_us, kiosk->time); /* a first touch is for a fresh sheet: that comes before its drop */
+        kiosk_obey(kiosk, now_us); /* a first touch is for a fresh sheet: that comes before its drop */
+    } else if (is_finger(event)) {
+        visit_feel(&kiosk->visit, VISIT_HOLD, now_us);
     }
     if (!is_finger(event)) {
         return true;
@@ -144,11 +143,20 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
     return true;
 }
 
+bool kiosk_act(struct kiosk *kiosk, const struct action *action, uint64_t event_us, uint64_t now_us)
+{
+    visit_feel(&kiosk->visit, VISIT_PAINT, now_us);
+    kiosk_obey(kiosk, now_us);
+    return !visit_paints(&kiosk->visit) || kiosk_post(kiosk, action, event_us);
+}
+
 static void post_verb(struct kiosk *kiosk, enum action_verb verb, int visitor, uint64_t time_us)
 {
     struct action action = action_default(verb);
     action.visitor = visitor;
-    kiosk_post(kiosk, &action, time_us);
+    if (visit_paints(&kiosk->visit)) {
+        kiosk_post(kiosk, &action, time_us);
+    }
 }
 
 /* What is chosen on a palette, for the controls. */
@@ -210,8 +218,8 @@ static int buttons_of(const struct kiosk *kiosk)
 void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
 {
     int seat = wish->visitor >= 1 && wish->visitor <= kiosk->hud.count ? wish->visitor - 1 : 0;
-    if (kiosk->dark && wish->kind != WISH_STAFF) {
-        return;
+    if (wish->kind != WISH_STAFF) {
+        visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
     }
     switch (wish->kind) {
     case WISH_UNDO:
@@ -240,6 +248,8 @@ void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
         break;
     case WISH_SWITCH:
         access_switch(&kiosk->access, wish->down, buttons_of(kiosk), now_us);
+        break;
+    case WISHES:
         break;
     }
 }

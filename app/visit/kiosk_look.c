@@ -31,11 +31,14 @@ static void look_at_panels(struct kiosk *kiosk, uint64_t now_us)
     }
 }
 
-static void look_at_cursors(struct kiosk *kiosk)
+static void look_at_cursors(struct kiosk *kiosk, uint64_t now_us)
 {
     struct controls_cursor cursors[CURSORS];
-    int count = kiosk->controls ? controls_cursors(kiosk->controls, cursors, CURSORS) : 0;
+    int count = kiosk->controls ? controls_cursors(kiosk->controls, now_us, cursors, CURSORS) : 0;
     for (int i = 0; i < count && i < CURSORS; i++) {
+        if (!cursors[i].used) {
+            continue;
+        }
         hud_draw_cursor(&kiosk->hud, cursors[i].ink, 0, &kiosk->images[PIECE_CURSOR + i]);
         put_middle(kiosk, PIECE_CURSOR + i, cursors[i].at.x * (float)kiosk->def.width,
                    cursors[i].at.y * (float)kiosk->def.height, 1);
@@ -88,9 +91,7 @@ static void look_at_sentence(struct kiosk *kiosk, enum exhibit_text text)
 
 static void look_at_countdown(struct kiosk *kiosk, uint64_t now_us)
 {
-    const struct visit *visit = &kiosk->visit;
-    float whole = visit->times.countdown, gone = 1e-6f * (float)(now_us - visit->since_us);
-    hud_draw_countdown(&kiosk->hud, visit_countdown(visit, now_us), whole > 0 ? 1 - gone / whole : 0,
+    hud_draw_countdown(&kiosk->hud, visit_countdown(&kiosk->visit, now_us), visit_left(&kiosk->visit, now_us),
                        &kiosk->images[PIECE_COUNTDOWN]);
     put_middle(kiosk, PIECE_COUNTDOWN, 0.5f * (float)kiosk->def.width, 0.5f * (float)kiosk->def.height, 1);
 }
@@ -101,11 +102,6 @@ static void look_at_status(struct kiosk *kiosk)
     struct hud_button buttons[2];
     hud_draw_status(&kiosk->hud, kiosk->lines, image, buttons);
     put_middle(kiosk, PIECE_STATUS, 0.5f * (float)kiosk->def.width, 0.5f * (float)kiosk->def.height, 1);
-    for (int i = 0; i < 2; i++) { /* the buttons' places are those in the image */
-        kiosk->status_buttons[i] = buttons[i];
-        kiosk->status_buttons[i].x += kiosk->pieces.piece[PIECE_STATUS].x;
-        kiosk->status_buttons[i].y += kiosk->pieces.piece[PIECE_STATUS].y;
-    }
 }
 
 static bool same(const struct kiosk_piece *a, const struct kiosk_piece *b)
@@ -128,12 +124,14 @@ const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
     }
     memset(&kiosk->pieces, 0, sizeof kiosk->pieces);
     look_at_panels(kiosk, now_us);
-    look_at_cursors(kiosk);
+    look_at_cursors(kiosk, now_us);
     look_at_access(kiosk);
     if (kiosk->visit.state == VISIT_ATTRACT) {
         look_at_attract(kiosk, now_us);
     } else if (kiosk->visit.state == VISIT_THANKS) {
         look_at_sentence(kiosk, TEXT_THANKS);
+    } else if (kiosk->visit.state == VISIT_CLOSING) {
+        look_at_sentence(kiosk, TEXT_CLOSED);
     } else if (kiosk->visit.state == VISIT_COUNTDOWN) {
         look_at_countdown(kiosk, now_us);
     }

@@ -36,11 +36,8 @@ struct kiosk {
     int paintings;   /* of attract, in this scene */
     bool leaves;
     bool dark;
-    uint64_t woken_us; /* a touch has opened it until then; 0: none has */
-    time_t time;       /* of the last run */
+    time_t time; /* of the last run */
     struct schedule_answer hours;
-    uint64_t held_us;   /* a hand was down then */
-    int switches;       /* one-switch play: presses that are down */
     struct kiosk_hand { /* a finger on the sheet */
         bool used;
         int id, seat;
@@ -70,6 +67,8 @@ void kiosk_busy(struct kiosk *kiosk, uint64_t now_us);
 /* kiosk.c */
 void kiosk_layout(struct kiosk *kiosk);
 /* An action of a visitor. */
-void kiosk_post(struct kiosk *kiosk, const struct action *action, uint64_t event_us);
+bool kiosk_post(struct kiosk *kiosk, const struct action *action, uint64_t event_us);
+/* Does what the visit orders. */
+void kiosk_obey(struct kiosk *kiosk, uint64_t now_us);
 
 #endif
