@@ -4,6 +4,7 @@
 
 #include "action.h"
 #include "brush.h"
+#include "exhibit.h"
 #include "ink.h"
 #include "inputs.h"
 #include "script.h"
@@ -26,8 +27,10 @@ static const char *type_name(const struct key *key)
         [KEY_INK] = "ink",           [KEY_BRUSH] = "brush",
         [KEY_RASTER] = "expression", [KEY_PICTURE] = "path",
         [KEY_TEXT] = "text",         [KEY_COEFFICIENT] = "coefficient",
+        [KEY_ZONE] = "zone",         [KEY_SIZE] = "size",
+        [KEY_TIME] = "time",
     };
-    return strcmp(key->unit, "section") == 0 ? "section" : NAMES[key->type];
+    return key_is_section(key) ? "section" : NAMES[key->type];
 }
 
 static const char *initial(const struct key *key, char *buffer, size_t size)
@@ -43,9 +46,24 @@ static const char *initial(const struct key *key, char *buffer, size_t size)
     case KEY_CHOICE:
         snprintf(buffer, size, "; default %s", key->choices[(int)key->initial]);
         break;
+    case KEY_ZONE:
+        snprintf(buffer, size, "; default [0, %g, 1, 1]", key->initial);
+        break;
     default:
         snprintf(buffer, size, "; may be left out");
         break;
+    }
+    return buffer;
+}
+
+const char *explain_range(const struct key *key, char *buffer, size_t size)
+{
+    char allowed[1200], start[64];
+    if (key_is_section(key)) {
+        snprintf(buffer, size, "section");
+    } else {
+        snprintf(buffer, size, "%s; %s%s", type_name(key), value_allowed(key, allowed, sizeof allowed),
+                 key->required ? "; required" : initial(key, start, sizeof start));
     }
     return buffer;
 }
@@ -71,7 +89,7 @@ static void lead(struct explaining *explaining)
 
 static void explain_keys(struct explaining *explaining, const char *place, const char *about, const struct key *keys)
 {
-    char allowed[1200], start[64];
+    char range[1400];
     explaining->heading = place;
     explaining->about = about;
     for (const struct key *key = keys; key->name; key++) {
@@ -79,12 +97,8 @@ static void explain_keys(struct explaining *explaining, const char *place, const
             continue;
         }
         lead(explaining);
-        fprintf(explaining->out, "  %s (%s", key->name, type_name(key));
-        if (strcmp(key->unit, "section") != 0) {
-            fprintf(explaining->out, "; %s%s", value_allowed(key, allowed, sizeof allowed),
-                    key->required ? "; required" : initial(key, start, sizeof start));
-        }
-        fprintf(explaining->out, ")\n      %s\n", key->meaning);
+        fprintf(explaining->out, "  %s (%s)\n      %s\n", key->name, explain_range(key, range, sizeof range),
+                key->meaning);
     }
     if (is_asked(explaining, place, place)) {
         lead(explaining); /* a verb without parameters */
@@ -122,14 +136,14 @@ static void explain_names(struct explaining *explaining)
     }
 }
 
-/* All of them for "inputs"; one by its name, or by a key of it. */
-static void explain_inputs(struct explaining *explaining)
+/* The tables of a kind of file: all of them by the name of the first, one by its name, or what a key is in them. */
+static void explain_tables(struct explaining *explaining, const struct inputs_table *tables)
 {
     const char *asked = explaining->asked;
-    if (asked && strcmp(asked, "inputs") == 0) {
+    if (asked && strcmp(asked, tables->name) == 0) {
         explaining->asked = NULL;
     }
-    for (const struct inputs_table *table = inputs_tables; table->name; table++) {
+    for (const struct inputs_table *table = tables; table->name; table++) {
         explain_keys(explaining, table->name, table->about, table->keys);
     }
     explaining->asked = asked;
@@ -146,7 +160,8 @@ bool explain(const char *asked, FILE *out)
         enum action_verb verb = (enum action_verb)i;
         explain_keys(&explaining, action_name(verb), action_meaning(verb), action_keys(verb));
     }
-    explain_inputs(&explaining);
+    explain_tables(&explaining, exhibit_tables);
+    explain_tables(&explaining, inputs_tables);
     explain_names(&explaining);
     return explaining.found;
 }

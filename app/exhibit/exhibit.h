@@ -166,6 +166,16 @@ void exhibit_destroy(struct exhibit *exhibit); /* takes NULL */
 /* Whether a text means to be an exhibit: its top has the key `exhibit`. */
 bool exhibit_is(const char *text, size_t size);
 
+/* The names of the pictures in the folder `pictures` now, sorted, EXHIBIT_PICTURES of them at most; their paths are
+ * relative to exhibit->folder. None when it has no such folder, or it cannot be read. */
+struct exhibit_pictures {
+    char **paths; /* owned, as each of them is */
+    int count;    /* listed; `more` of them are not */
+    int more;
+};
+struct exhibit_pictures exhibit_pictures(const struct exhibit *exhibit);
+void exhibit_pictures_finish(struct exhibit_pictures *pictures); /* takes a zeroed one */
+
 /* The tables behind it; ends with a table whose name is NULL. */
 extern const struct inputs_table exhibit_tables[];
 

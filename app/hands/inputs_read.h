@@ -1,4 +1,4 @@
-/* The parts of reading an inputs file. Private to inputs*.c. */
+/* The parts of reading an inputs file. Private to inputs*.c, and to exhibit*.c, which have them as a section. */
 #ifndef FROND_INPUTS_READ_H
 #define FROND_INPUTS_READ_H
 
@@ -34,6 +34,8 @@ bool inputs_usage(struct reader *reader, const struct yaml_node *node, const cha
 
 void inputs_read_devices(struct reader *reader, const struct yaml_node *root, struct inputs *inputs);
 void inputs_read_lines(struct reader *reader, const struct yaml_node *root, struct inputs *inputs);
+/* All of it from a mapping without the version. Problems go to the report; NULL when memory is short. */
+struct inputs *inputs_section(struct reader *outer, const struct yaml_node *node, const struct script *session);
 /* After the others, whose ids it names. */
 void inputs_read_bindings(struct reader *reader, const struct yaml_node *root, struct inputs *inputs);
 

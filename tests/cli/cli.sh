@@ -128,11 +128,11 @@ ln -s ../outside/a.png inside/link.png
 for path in ../outside/a.png /etc/hostname link.png; do
     printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: %s}}\n' "$path" >inside/s.yaml
     expect 1 check inside/s.yaml
-    says "inside/s.yaml:3:31: actions[0].mask.picture: '$path' leads out of the script's folder; a picture lies in it or below"
+    says "inside/s.yaml:3:31: actions[0].mask.picture: '$path' leads out of this file's folder; a picture lies in it or below"
 done
 printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: no.png}}\n' >inside/s.yaml
 expect 1 check inside/s.yaml
-says "inside/s.yaml:3:31: actions[0].mask.picture: 'no.png' is not there; a picture in the script's folder or below"
+says "inside/s.yaml:3:31: actions[0].mask.picture: 'no.png' is not there; a picture in this file's folder or below"
 printf 'text' >inside/text.png
 printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: text.png}}\n' >inside/s.yaml
 expect 1 check inside/s.yaml
