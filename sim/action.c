@@ -135,6 +135,13 @@ static const struct key SET[] = {
     END,
 };
 static const struct key CLEAR[] = {END};
+static const struct key UNDO[] = {END};
+static const struct key REWIND[] = {
+    PATH(true),
+    RADIUS(24, "Half the width of the stroke; it fades over its outer half."),
+    NUMBER(ticks, "ticks", 1, 3600, 60, "How far the middle of the stroke goes back."),
+    END,
+};
 
 static const struct {
     const char *name, *meaning;
@@ -154,6 +161,9 @@ static const struct {
     [ACTION_WET] = {"wet", "Loosens dry pigment and wets the pattern.", WET},
     [ACTION_SET] = {"set", "Sets a coefficient, everywhere, in a disc, or varying over the sheet.", SET},
     [ACTION_CLEAR] = {"clear", "A fresh sheet.", CLEAR},
+    [ACTION_UNDO] = {"undo", "Takes back what a visitor did last.", UNDO},
+    [ACTION_REDO] = {"redo", "Brings back what undo took.", UNDO},
+    [ACTION_REWIND] = {"rewind", "Takes what is under a stroke back in time; it grows on from there.", REWIND},
 };
 
 const struct key *action_keys(enum action_verb verb)

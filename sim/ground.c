@@ -223,6 +223,9 @@ struct rectangle ground_act(struct ground *ground, const struct action *action)
     case ACTION_BRUSH_INK:
     case ACTION_DRY:
     case ACTION_WET:
+    case ACTION_UNDO:
+    case ACTION_REDO:
+    case ACTION_REWIND:
     case ACTION_VERBS:
         break;
     }

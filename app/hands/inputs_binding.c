@@ -26,6 +26,9 @@ static void fill_rows(struct parts *parts)
     }
     for (int i = 0; i < ACTION_VERBS; i++) {
         enum action_verb verb = (enum action_verb)i;
+        if (key_find(binding_do_keys, action_name(verb))) {
+            continue; /* the visitor's own, below */
+        }
         parts->rows[count++] = (struct key){.name = action_name(verb), .type = KEY_CHOICE, .unit = "section"};
     }
     for (const struct key *key = binding_do_keys; key->name; key++) {
@@ -323,7 +326,8 @@ static void read_cursor(struct reader *reader, const struct yaml_node *node, str
 
 static void read_what(struct reader *reader, const struct parts *parts, struct binding *binding)
 {
-    enum action_verb verb = action_find(parts->what_name);
+    bool own = key_find(binding_do_keys, parts->what_name);
+    enum action_verb verb = own ? ACTION_VERBS : action_find(parts->what_name);
     const struct yaml_node *node = parts->what;
     struct yaml_node none = {.kind = YAML_MAPPING, .line = node->line, .column = node->column};
     size_t length = reader_enter(reader, parts->what_name);
@@ -396,7 +400,9 @@ static void report_no_action(struct reader *reader, const struct yaml_node *item
     char allowed[1024];
     struct names names = names_of_verbs();
     for (const struct key *key = binding_do_keys; key->name; key++) {
-        names.names[names.count++] = key->name;
+        if (names_find(&names, key->name) < 0) {
+            names.names[names.count++] = key->name;
+        }
     }
     reader_problem(reader, item, "no action is given; %s", names_allowed(&names, "", allowed, sizeof allowed));
 }
