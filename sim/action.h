@@ -65,7 +65,6 @@ enum action_reading {                    /* how a picture becomes a vector field
 
 struct action {
     int64_t tick;
-    int visitor; /* whose it is: 0 nobody's, or the script's */
     enum action_verb verb;
     struct point at;
     struct point flow; /* where water runs, any length; 0, 0: down */

@@ -18,6 +18,8 @@ const char *inputs_default_text(void)
            "  - {touch: drag, tool: pour, pour: {}}\n"
            "  - {touch: press, tool: mask, mask: {radius: 4}}\n"
            "  - {touch: drag, tool: mask, mask: {radius: 4}}\n"
+           "  - {touch: press, tool: rewind, rewind: {}}\n"
+           "  - {touch: drag, tool: rewind, rewind: {}}\n"
            "  # Gamepads and joysticks: a point that the stick or the cross moves.\n"
            "  - {usage: X, cursor: {axis: x, dead_zone: 0.15, curve: square}}\n"
            "  - {usage: Y, cursor: {axis: y, dead_zone: 0.15, curve: square}}\n"

@@ -13,9 +13,6 @@
 #include "near.h"
 #include "script_case.h"
 
-/* Undo and redo are actions of bindings by themselves. */
-#define BINDING_VERBS "drop, brush_solvent, brush_ink, draw, guide, pour, mask, unmask, dry, wet, set, clear, rewind"
-
 #define INPUTS_KEYS "inputs, visitors, touch, keyboards, controllers, other_controllers, gpio, bindings"
 #define USAGES      "a HID usage by name (X, Dial, Button 3) or number (0x00090003)"
 
@@ -53,8 +50,7 @@ static const struct script_case BAD[] = {
     {"no source", BYTES("inputs: 1\nbindings:\n  - {drop: {}}\n"),
      "s.yaml:3:5: bindings[0]: no source is given; one of touch, usage, button, encoder, key\n"},
     {"no action", BYTES("inputs: 1\nbindings:\n  - {touch: tap}\n"),
-     "s.yaml:3:5: bindings[0]: no action is given; one of " BINDING_VERBS
-     ", next_ink, undo, redo, finish, staff, next_tool, next_scene, "
+     "s.yaml:3:5: bindings[0]: no action is given; one of " VERBS ", next_ink, finish, staff, next_tool, next_scene, "
      "next_language, switch, cursor, turn, dial\n"},
     {"two sources", BYTES("inputs: 1\nbindings:\n  - {touch: tap, usage: X, drop: {}}\n"),
      "s.yaml:3:25: bindings[0].usage: a second source, after touch; a binding has one\n"},
