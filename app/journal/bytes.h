@@ -1,5 +1,6 @@
-/* Bytes in a file's order: a buffer that grows, and a cursor that never reads beyond its end. Numbers are little-endian,
- * floats as their bits; a varint has seven bits a byte, the lowest first, the top bit set in all but the last. */
+/* Bytes in a file's order: a buffer that grows, and a cursor that never reads beyond its end. Numbers are
+ * little-endian, floats as their bits; a varint has seven bits a byte, the lowest first, the top bit set in all but the
+ * last. */
 #ifndef FROND_BYTES_H
 #define FROND_BYTES_H
 
