@@ -66,6 +66,7 @@ enum action_reading {                    /* how a picture becomes a vector field
 struct action {
     int64_t tick;
     enum action_verb verb;
+    int visitor; /* who does it: 0 nobody or the script, 1.. a visitor; undo and redo of 0: whoever acted last */
     struct point at;
     struct point flow; /* where water runs, any length; 0, 0: down */
     bool has_at;
