@@ -5,7 +5,8 @@
 
 #include "noise.h"
 
-#define PAST 1.3f /* phase beyond which nothing is done any more */
+#define SLACK 0.1f
+#define PAST   1.3f /* phase beyond which nothing is done any more */
 
 static float clamp(float value, float least, float most)
 {
@@ -114,64 +115,78 @@ static float front_at(const struct rinse *rinse, float across)
     return front[i].y + (front[i + 1].y - front[i].y) * smooth(front[i].x, front[i + 1].x, across);
 }
 
-static void fill_line(struct rinse *rinse, int line, float early[], float turn[])
+/* The cells of the margin are where the border is. */
+static struct point place_of(const struct rinse *rinse, float x, float y)
 {
-    const struct painting_def *def = rinse->def;
+    float margin = (float)rinse->def->margin;
+    return (struct point){clamp(x - margin, 0.0f, (float)rinse->def->width),
+                          clamp(y - margin, 0.0f, (float)rinse->def->height)};
+}
+
+/* How far a place is behind the front, in depths of the water; `turn` as rinse_phase says. */
+static float behind_at(const struct rinse *rinse, struct point place, float *turn)
+{
+    const uint32_t seed = rinse->def->seed;
+    place = turned(rinse, place.x, place.y);
+    float behind = (front_at(rinse, place.x) - place.y) / rinse->depth, ragged = RINSE_MOST * rinse->vary;
+    *turn = 0.0f;
+    if (behind <= -ragged - SLACK || behind >= PAST + ragged + SLACK) {
+        return behind;
+    }
+    float x = place.x, y = 0.22f * place.y; /* tongues are longer than wide */
+    float early = 0.6f * noise_smooth(x, y, rinse->size, seed, RANDOM_WATER) +
+                  0.25f * noise_smooth(x + 0.5f * y, y, 0.4f * rinse->size, seed, RANDOM_WATER) +
+                  0.25f * noise_smooth(x, 0.3f * y, 0.25f * rinse->size, seed, RANDOM_WATER);
+    *turn = clamp(noise_smooth(x, y, 0.7f * rinse->size, seed, RANDOM_WATER_TURN), -1.0f, 1.0f);
+    return behind + rinse->vary * clamp(early, -RINSE_MOST, RINSE_MOST);
+}
+
+static void fill_line(const struct rinse *rinse, int line, float behind[], float turn[])
+{
     int first = rinse->cells.x0 / RINSE_LATTICE, end = (rinse->cells.x1 - 1) / RINSE_LATTICE + 2;
     for (int i = first; i < end; i++) {
-        struct point place =
-            turned(rinse, (float)(i * RINSE_LATTICE - def->margin), (float)(line * RINSE_LATTICE - def->margin));
-        float y = 0.22f * place.y; /* tongues are longer than wide */
-        early[i] = 0.6f * noise_smooth(place.x, y, rinse->size, def->seed, RANDOM_WATER) +
-                   0.25f * noise_smooth(place.x + 0.5f * y, y, 0.4f * rinse->size, def->seed, RANDOM_WATER) +
-                   0.25f * noise_smooth(place.x, 0.3f * y, 0.25f * rinse->size, def->seed, RANDOM_WATER);
-        turn[i] = noise_smooth(place.x, y, 0.7f * rinse->size, def->seed, RANDOM_WATER_TURN);
+        struct point place = place_of(rinse, (float)(i * RINSE_LATTICE), (float)(line * RINSE_LATTICE));
+        behind[i] = behind_at(rinse, place, &turn[i]);
     }
 }
 
-/* Noise of a cell: where the water is early, and where it turns. */
-static struct point noise_at(struct rinse *rinse, int x, int y)
+static void take_lines(struct rinse *rinse, int line)
 {
-    int line = y / RINSE_LATTICE, column = x / RINSE_LATTICE;
-    if (line != rinse->line) {
-        int slot = line & 1;
-        if (rinse->line != line - 1) {
-            fill_line(rinse, line, rinse->rows[slot][0], rinse->rows[slot][1]);
-        }
-        fill_line(rinse, line + 1, rinse->rows[!slot][0], rinse->rows[!slot][1]);
-        rinse->line = line;
+    int slot = line & 1;
+    if (rinse->line == INT_MIN || rinse->line != line - 1) {
+        fill_line(rinse, line, rinse->rows[slot][0], rinse->rows[slot][1]);
     }
-    float u = (float)(x % RINSE_LATTICE) * (1.0f / RINSE_LATTICE),
-          v = (float)(y % RINSE_LATTICE) * (1.0f / RINSE_LATTICE);
-    float found[2];
-    for (int field = 0; field < 2; field++) {
-        const float *up = rinse->rows[line & 1][field] + column, *down = rinse->rows[!(line & 1)][field] + column;
-        float top = up[0] + u * (up[1] - up[0]), bottom = down[0] + u * (down[1] - down[0]);
-        found[field] = top + v * (bottom - top);
-    }
-    return (struct point){clamp(found[0], -RINSE_MOST, RINSE_MOST), clamp(found[1], -1.0f, 1.0f)};
+    fill_line(rinse, line + 1, rinse->rows[!slot][0], rinse->rows[!slot][1]);
+    rinse->line = line;
+}
+
+static float between(const struct rinse *rinse, int field, int x, int y)
+{
+    const float share = 1.0f / RINSE_LATTICE;
+    int slot = (y / RINSE_LATTICE) & 1, column = x / RINSE_LATTICE;
+    float u = (float)(x % RINSE_LATTICE) * share, v = (float)(y % RINSE_LATTICE) * share;
+    const float *up = rinse->rows[slot][field] + column, *down = rinse->rows[!slot][field] + column;
+    float top = up[0] + u * (up[1] - up[0]), bottom = down[0] + u * (down[1] - down[0]);
+    return top + v * (bottom - top);
 }
 
 float rinse_phase(struct rinse *rinse, int x, int y, float *turn)
 {
-    const struct painting_def *def = rinse->def;
-    struct point cell = {clamp((float)(x - def->margin) + 0.5f, 0.0f, (float)def->width),
-                         clamp((float)(y - def->margin) + 0.5f, 0.0f, (float)def->height)};
     *turn = 0.0f;
     if (rinse->disc) {
+        struct point cell = place_of(rinse, (float)x + 0.5f, (float)y + 0.5f);
         float dx = cell.x - rinse->at.x, dy = cell.y - rinse->at.y, away = sqrtf(dx * dx + dy * dy);
         return away < rinse->radius ? 0.8f * (1.0f - away / rinse->radius) : 0.0f;
     }
-    struct point place = turned(rinse, cell.x, cell.y);
-    float behind = (front_at(rinse, place.x) - place.y) / rinse->depth;
-    float ragged = RINSE_MOST * rinse->vary;
-    if (behind <= -ragged || behind >= PAST + ragged) {
+    if (y / RINSE_LATTICE != rinse->line) {
+        take_lines(rinse, y / RINSE_LATTICE);
+    }
+    float behind = between(rinse, 0, x, y);
+    if (behind <= 0.0f || behind > PAST) {
         return 0.0f;
     }
-    struct point noise = noise_at(rinse, x, y);
-    behind += rinse->vary * noise.x;
-    *turn = noise.y;
-    return behind <= 0.0f || behind > PAST ? 0.0f : behind < 1.0f ? behind : 1.0f;
+    *turn = between(rinse, 1, x, y);
+    return behind < 1.0f ? behind : 1.0f;
 }
 
 bool rinse_is_over(struct rinse *rinse, int x, int y)

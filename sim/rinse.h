@@ -13,7 +13,7 @@
 
 enum {
     RINSE_POINTS = 32, /* of a front; more are not heeded */
-    RINSE_LATTICE = 4, /* cells between places where noise is evaluated; between them it is bilinear */
+    RINSE_LATTICE = 4, /* cells between places where the water is worked out; between them it is bilinear */
     RINSE_LATTICE_MOST = (PAINTING_SIZE_MAX + 2 * PAINTING_MARGIN_MAX) / RINSE_LATTICE + 2,
 };
 
@@ -29,12 +29,12 @@ struct rinse {
     bool disc;
     struct point at; /* middle of a disc, cells of the visible sheet */
     float radius, depth, vary;
-    float size;                           /* of the features of the noise across the flow, cells */
-    int count;                            /* points of the front, by `across` */
-    struct point front[RINSE_POINTS];     /* x: across the flow, y: along it; cells of the visible sheet */
-    struct rectangle cells;               /* bounds, clipped to the sheet */
-    int line;                             /* of the lattice, that rows[0] holds; INT_MIN: none */
-    float rows[2][2][RINSE_LATTICE_MOST]; /* [line, line + 1][early, turn] */
+    float size;                       /* of the features of the noise across the flow, cells */
+    int count;                        /* points of the front, by `across` */
+    struct point front[RINSE_POINTS]; /* x: across the flow, y: along it; cells of the visible sheet */
+    struct rectangle cells;           /* bounds, clipped to the sheet */
+    int line; /* of the lattice, whose rows, and those of the next, are at hand; INT_MIN: none */
+    float rows[2][2][RINSE_LATTICE_MOST]; /* [line & 1][behind the front, turn] */
 };
 
 /* `action` is a legal rinse; `def` stays with the caller. Without a path and a place it has no cells. */
