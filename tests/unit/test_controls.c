@@ -14,22 +14,6 @@
 #include "lamps.h"
 #include "near.h"
 
-enum { MS = 1000 };
-
-static void finger(struct place *place, enum event_kind kind, int slot, float x, float y)
-{
-    struct event event = {.kind = kind, .source = SOURCE_TOUCH, .device = 1, .slot = slot, .x = x, .y = y};
-    event.time_us = place->now_us;
-    controls_feel(place->controls, &event);
-}
-
-static void control(struct place *place, enum event_source source, uint32_t device, uint32_t usage, float value)
-{
-    struct event event = {.kind = EVENT_CONTROL, .source = source, .device = device, .control = usage, .value = value};
-    event.time_us = place->now_us;
-    controls_feel(place->controls, &event);
-}
-
 static void centred(struct place *place, uint32_t usage, float value)
 {
     struct event event = {.kind = EVENT_CONTROL, .source = SOURCE_HID, .device = 1, .control = usage, .value = value};
@@ -44,17 +28,6 @@ static void steps(struct place *place, enum event_source source, uint32_t usage,
     event.relative = true;
     event.time_us = place->now_us;
     controls_feel(place->controls, &event);
-}
-
-static void wait_ms(struct place *place, int ms)
-{
-    place->now_us += (uint64_t)ms * MS;
-    controls_run(place->controls, place->now_us);
-}
-
-static bool take(struct place *place)
-{
-    return controls_action(place->controls, &place->action, &place->time_us);
 }
 
 static int count_actions(struct place *place, enum action_verb verb)
