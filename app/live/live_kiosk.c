@@ -204,6 +204,7 @@ void live_kiosk_run(struct live_kiosk *kiosk)
     kiosk_run(kiosk->kiosk, now_us(), time(NULL));
     if (kiosk->other && studio_script(kiosk->status.studio) == script) {
         live_picture_change(kiosk->picture, script);
+        live_care_change(kiosk->status.care, script);
         kiosk->other = false;
     }
     look_at_file(kiosk);

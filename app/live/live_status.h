@@ -14,7 +14,7 @@ struct live_status_def {
     struct display *display;
     struct studio *studio;
     const struct live_input *input;
-    const struct live_care *care;
+    struct live_care *care;
     struct gallery *gallery; /* NULL: nothing is kept */
     const char *engine;      /* as engine_choice says it */
 };

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "kiosk_state.h"
+bool hud_draw_line(const struct hud *hud, struct hud_image *image);bool hud_draw_hand(const struct hud *hud, float pressed, struct hud_image *image);
 
 enum { INVITE_US = 4000000, CURSORS = 8 };
 

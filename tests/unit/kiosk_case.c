@@ -202,6 +202,15 @@ int hall_count(const struct hall *hall, int since, enum hall_what what, enum act
     return count;
 }
 
+int hall_painted(const struct hall *hall, int since, enum action_verb verb)
+{
+    int count = 0;
+    for (int i = since; i < hall->count; i++) {
+        count += hall->told[i].what == HALL_POST && hall->told[i].verb == verb && hall->told[i].visitor > 0;
+    }
+    return count;
+}
+
 bool hall_find(const struct hall *hall, int panel, int kind, int value, struct point *at)
 {
     const struct hud_panel *on = &hall->kiosk->hud.panels[panel];

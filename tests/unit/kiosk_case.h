@@ -49,6 +49,8 @@ void hall_drag(struct hall *hall, float x, float y, float to_x, float to_y, doub
 void hall_button(struct hall *hall, uint32_t number, double seconds);
 /* How often it was told that, since the `since`th; of posts only those of this verb, if it is one. */
 int hall_count(const struct hall *hall, int since, enum hall_what what, enum action_verb verb);
+/* How often visitors did that. */
+int hall_painted(const struct hall *hall, int since, enum action_verb verb);
 /* The middle of the first button of this kind and value on a panel, 0..1 of the sheet; false: there is none. */
 bool hall_find(const struct hall *hall, int panel, int kind, int value, struct point *at);
 
