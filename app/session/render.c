@@ -1,9 +1,11 @@
 #include "render.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "easel.h"
 #include "image.h"
+#include "journal.h"
 #include "script_sheet.h"
 #include "stats.h"
 
@@ -14,6 +16,7 @@ struct rendering {
     struct easel easel;
     struct engine *engine;
     struct easel_picture picture;
+    struct journal_writer journal;
     size_t cells;
 };
 
@@ -66,15 +69,45 @@ static bool write_frame(struct rendering *rendering, struct file_error *error)
            easel_write_frame(&rendering->picture, rendering->engine, def->frames, tick, error);
 }
 
+static void begin_journal(struct rendering *rendering)
+{
+    struct journal_head head = {.exhibit_hash = 0};
+    struct painting_def def = script_painting(rendering->script);
+    struct journal_sheet sheet = journal_sheet_of(rendering->script, &def);
+    snprintf(head.version, sizeof head.version, "%s", FROND_VERSION);
+    snprintf(head.engine, sizeof head.engine, "%s", rendering->engine->ops->name);
+    journal_begin(&rendering->journal, &head);
+    journal_sheet(&rendering->journal, 0, &sheet);
+}
+
+static void act(struct rendering *rendering, int64_t tick, const struct action *action)
+{
+    rendering->engine->ops->act(rendering->engine, action);
+    if (rendering->def->journal) {
+        journal_action(&rendering->journal, tick, action);
+    }
+}
+
+static bool write_journal(struct rendering *rendering, const char *path, struct file_error *error)
+{
+    const struct bytes *out = &rendering->journal.out;
+    journal_end(&rendering->journal, rendering->script->ticks);
+    return out->failed ? file_fail(error, path, "memory is short for the journal")
+                       : file_write_atomic(path, out->data, out->size, error);
+}
+
 /* The actions of a tick, then the tick; those of the very last tick too, so that a session can end with one. */
 static bool run_session(struct rendering *rendering, struct progress *progress, struct file_error *error)
 {
     const struct script *script = rendering->script;
     int next = 0;
     bool good = true;
+    if (rendering->def->journal) {
+        begin_journal(rendering);
+    }
     for (int64_t tick = 0; good && tick <= script->ticks; tick++) {
         for (; next < script->action_count && script->actions[next].tick <= tick; next++) {
-            rendering->engine->ops->act(rendering->engine, &script->actions[next]);
+            act(rendering, tick, &script->actions[next]);
         }
         if (tick < script->ticks) {
             rendering->engine->ops->tick(rendering->engine);
@@ -90,7 +123,8 @@ static bool run_session(struct rendering *rendering, struct progress *progress, 
 static bool write_end(struct rendering *rendering, struct file_error *error)
 {
     const struct render_def *def = rendering->def;
-    return (!def->fields || write_fields(rendering, def->fields, error)) &&
+    return (!def->journal || write_journal(rendering, def->journal, error)) &&
+           (!def->fields || write_fields(rendering, def->fields, error)) &&
            (!def->stats || stats_write(def->stats, rendering->script, rendering->engine, error)) &&
            (!def->picture || easel_write(&rendering->picture, rendering->engine, def->picture, error));
 }
@@ -103,7 +137,8 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     rendering.cells = (size_t)script->width * (size_t)script->height;
     rendering.easel.def = (struct easel_def){def->engine, def->shaders, def->threads, def->dense};
     if (!easel_check_file(def->picture, error) || !easel_check_file(def->fields, error) ||
-        !easel_check_file(def->stats, error) || !easel_make_folder(def->frames, error)) {
+        !easel_check_file(def->stats, error) || !easel_check_file(def->journal, error) ||
+        !easel_make_folder(def->frames, error)) {
         return false;
     }
     rendering.engine = easel_engine(&rendering.easel, &painting, error);
@@ -112,6 +147,7 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     if (progress) {
         progress_end(progress);
     }
+    journal_finish(&rendering.journal);
     easel_unframe(&rendering.picture);
     engine_destroy(rendering.engine);
     easel_close(&rendering.easel);
