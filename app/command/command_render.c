@@ -16,6 +16,7 @@ static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n
                            "      --every N          ticks from one of those to the next; 10 if left out\n"
                            "      --fields FILE.exr  every field of the painting, as float channels\n"
                            "      --stats FILE.json  sums, extremes and the figures of the shape\n"
+                           "      --journal FILE     the session as a journal, for frond replay\n"
                            "      --seed N           instead of the script's\n"
                            "      --ticks N          instead of the script's\n"
                            "      --engine KIND      cpu (if left out), gpu, or auto: the faster on this machine.\n"
@@ -37,6 +38,7 @@ enum {
     DENSE,
     ENGINE,
     SHADERS,
+    JOURNAL,
     HELP_ASKED,
     THREADS_MAX = 64
 };
@@ -69,6 +71,9 @@ static int take_option(struct order *order, int option)
         break;
     case STATS:
         def->stats = optarg;
+        break;
+    case JOURNAL:
+        def->journal = optarg;
         break;
     case DENSE:
         def->dense = true;
@@ -116,14 +121,21 @@ static int take_option(struct order *order, int option)
 /* Reads the command line. False when that was all, with the exit status. */
 static bool read_order(int argc, char *argv[], struct order *order, int *status)
 {
-    static const struct option options[] = {
-        {"output", required_argument, NULL, 'o'},      {"size", required_argument, NULL, SIZE},
-        {"frames", required_argument, NULL, FRAMES},   {"every", required_argument, NULL, EVERY},
-        {"fields", required_argument, NULL, FIELDS},   {"stats", required_argument, NULL, STATS},
-        {"seed", required_argument, NULL, SEED},       {"ticks", required_argument, NULL, TICKS},
-        {"threads", required_argument, NULL, THREADS}, {"dense", no_argument, NULL, DENSE},
-        {"engine", required_argument, NULL, ENGINE},   {"shaders", required_argument, NULL, SHADERS},
-        {"help", no_argument, NULL, HELP_ASKED},       {NULL, 0, NULL, 0}};
+    static const struct option options[] = {{"output", required_argument, NULL, 'o'},
+                                            {"size", required_argument, NULL, SIZE},
+                                            {"frames", required_argument, NULL, FRAMES},
+                                            {"every", required_argument, NULL, EVERY},
+                                            {"fields", required_argument, NULL, FIELDS},
+                                            {"stats", required_argument, NULL, STATS},
+                                            {"seed", required_argument, NULL, SEED},
+                                            {"ticks", required_argument, NULL, TICKS},
+                                            {"threads", required_argument, NULL, THREADS},
+                                            {"dense", no_argument, NULL, DENSE},
+                                            {"engine", required_argument, NULL, ENGINE},
+                                            {"shaders", required_argument, NULL, SHADERS},
+                                            {"journal", required_argument, NULL, JOURNAL},
+                                            {"help", no_argument, NULL, HELP_ASKED},
+                                            {NULL, 0, NULL, 0}};
     int option;
     optind = 0;
     while ((option = getopt_long(argc, argv, ":o:h", options, NULL)) != -1) {

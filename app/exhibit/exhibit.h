@@ -134,6 +134,7 @@ struct exhibit {
     struct exhibit_display display;
     struct exhibit_sheet sheet;
     int engine;            /* enum engine_kind */
+    uint64_t inputs_mark;  /* of what stands in the file under inputs: the same, the same inputs */
     struct inputs *inputs; /* NULL: the default ones; inks are those of the first scene */
     struct exhibit_scene scenes[EXHIBIT_SCENES];
     int scene_count;                        /* 1.. */

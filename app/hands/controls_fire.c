@@ -37,26 +37,6 @@ bool controls_action(struct controls *controls, struct action *action, uint64_t 
     return true;
 }
 
-static int ink_of(const struct controls *controls, const struct cause *cause)
-{
-    if (controls->def.inputs->visitors == VISITORS_SHARED) {
-        return controls->shared_ink;
-    }
-    return cause->finger != NOBODY ? controls->finger_ink[cause->finger] : controls->owners[cause->owner].ink;
-}
-
-static void change_ink(struct controls *controls, const struct cause *cause)
-{
-    int ink = (ink_of(controls, cause) + 1) % controls->def.inks;
-    if (controls->def.inputs->visitors == VISITORS_SHARED) {
-        controls->shared_ink = ink;
-    } else if (cause->finger != NOBODY) {
-        controls->finger_ink[cause->finger] = ink;
-    } else {
-        controls->owners[cause->owner].ink = ink;
-    }
-}
-
 static void place(struct queued *queued, const struct binding *binding, const struct cause *cause)
 {
     struct action *action = &queued->action;
@@ -94,15 +74,59 @@ static void size(const struct controls *controls, struct action *action, const s
     }
 }
 
+bool controls_wish(struct controls *controls, struct wish *wish)
+{
+    if (controls->wish_count == 0) {
+        return false;
+    }
+    *wish = controls->wishes[controls->first_wish];
+    controls->first_wish = (controls->first_wish + 1) % CONTROLS_WISHES;
+    controls->wish_count--;
+    return true;
+}
+
+/* `owing`: the end of a switch comes after it, which will want room. */
+static bool push_wish_owing(struct controls *controls, enum wish_kind kind, const struct cause *cause, int owing)
+{
+    if (controls->wish_count + controls->owed + owing >= CONTROLS_WISHES) {
+        controls->dropped++;
+        return false;
+    }
+    controls->owed += owing;
+    controls->wishes[(controls->first_wish + controls->wish_count++) % CONTROLS_WISHES] =
+        (struct wish){kind, controls_visitor_of(controls, cause), cause->down, cause->time_us};
+    return true;
+}
+
+static void push_wish(struct controls *controls, enum wish_kind kind, const struct cause *cause)
+{
+    push_wish_owing(controls, kind, cause, 0);
+}
+
+bool controls_push_switch(struct controls *controls, const struct cause *cause)
+{
+    struct cause down = *cause;
+    down.down = true;
+    return push_wish_owing(controls, WISH_SWITCH, &down, 1);
+}
+
+void controls_push_switch_end(struct controls *controls, const struct cause *cause)
+{
+    struct cause up = *cause;
+    up.down = false;
+    controls->owed--;
+    push_wish_owing(controls, WISH_SWITCH, &up, 0);
+}
+
 void controls_fire(struct controls *controls, int index, const struct cause *cause)
 {
     const struct binding *binding = controls_binding(controls, index);
     if (binding->what == DO_NEXT_INK) {
-        change_ink(controls, cause);
+        controls_change_ink(controls, cause);
         return;
     }
-    if (binding->what == DO_UNDO) {
-        controls->undo = true;
+    if (binding->what >= DO_UNDO && binding->what <= DO_SWITCH) {
+        push_wish(controls, (enum wish_kind)(binding->what - DO_UNDO), cause);
         return;
     }
     if (binding->what != DO_VERB) {
@@ -114,9 +138,11 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         return;
     }
     queued->action = binding->action;
-    if (queued->action.ink < 0) {
-        queued->action.ink = ink_of(controls, cause);
+    queued->action.visitor = controls_visitor_of(controls, cause);
+    if (queued->action.ink < 0 || controls_has_own_ink(controls, cause)) {
+        queued->action.ink = controls_ink_of(controls, cause);
     }
+    queued->action.ink %= controls->def.inks; /* a scene may have fewer than the one that the inputs were read for */
     size(controls, &queued->action, binding, cause);
     place(queued, binding, cause);
 }

@@ -51,8 +51,8 @@ static int companion(const struct gestures *gestures, int index)
     for (int i = 0; i < GESTURE_FINGERS; i++) {
         const struct finger *other = &gestures->finger[i];
         if (i != index && other->down && other->partner == 0 && other->source == finger->source &&
-            other->device == finger->device && finger->down_us - other->down_us <= GESTURE_PAIR_US &&
-            distance(other->at, finger->at) < GESTURE_NEAR) {
+            other->device == finger->device && other->group == finger->group &&
+            finger->down_us - other->down_us <= GESTURE_PAIR_US && distance(other->at, finger->at) < GESTURE_NEAR) {
             return i;
         }
     }
@@ -74,6 +74,7 @@ static void come_down(struct gestures *gestures, const struct event *event, cons
                               .source = event->source,
                               .device = event->device,
                               .slot = event->slot,
+                              .group = gestures->group,
                               .down_us = event->time_us,
                               .start = at,
                               .at = at,

@@ -36,14 +36,15 @@ struct gesture {
 };
 
 struct gestures { /* all zero: no finger */
-    bool pairs;   /* two fingers of a hand are a gesture of their own; else every finger is for itself */
+    bool pairs; /* two fingers of a hand are a gesture of their own; else every finger that comes down is for itself */
+    int group;  /* of fingers that come down: those of two groups are never of one hand */
     struct finger {
         bool down, moved;
         bool leads;  /* of two: the one that came down first */
         int partner; /* the other of two, + 1; 0: none; -1: there was one, and it has left */
         enum event_source source;
         uint32_t device;
-        int slot;
+        int slot, group;
         uint64_t down_us;
         struct point start, at, said;
         float spread; /* of two, as told last; in the first of them, as is what was said of both */

@@ -15,7 +15,7 @@ extern const struct key button_keys[];     /* over struct inputs_lines */
 extern const struct key encoder_keys[];    /* over struct inputs_lines */
 extern const struct key lamp_keys[];       /* over struct inputs_lines */
 extern const struct key binding_keys[];    /* over struct binding; a verb or one of the actions below comes with them */
-extern const struct key binding_do_keys[]; /* sections: next_ink, undo, cursor, turn, dial */
+extern const struct key binding_do_keys[]; /* sections: next_ink, ..., in the order of enum binding_do */
 extern const struct key turn_keys[];       /* over struct binding */
 extern const struct key dial_keys[];       /* over struct binding */
 extern const struct key cursor_keys[];     /* over struct binding */

@@ -1,5 +1,6 @@
 #include <string.h>
 
+#include "exhibit.h"
 #include "hid_report.h"
 #include "inputs_read.h"
 
@@ -7,6 +8,7 @@ static const char *const VISITORS[] = {"each", "shared", NULL};
 static const char *const BIASES[] = {"as is", "none", "pull up", "pull down", NULL};
 static const char *const MODES[] = {"absolute", "relative", "counter", NULL};
 static const char *const TOUCHES[] = {"press", "tap", "long press", "drag", "two-finger drag", "pinch", NULL};
+static const char *const TOOL_NAMES[TOOLS + 1] = {"drop", "brush", "guide", "pour", "mask", "rewind", NULL};
 static const char *const WHENS[] = {"press", "release", "short", "long", "double", "hold", "move", NULL};
 static const char *const WAYS[] = {"any", "up", "down", "left", "right", NULL};
 static const char *const WHERES[] = {"there", "sheet", NULL};
@@ -147,6 +149,9 @@ const struct key lamp_keys[] = {
 #define BINDING struct binding
 const struct key binding_keys[] = {
     CHOICE("touch", BINDING, touch, TOUCHES, TOUCH_PRESS, false, "Source: what a finger does, or two of one hand."),
+    CHOICE("tool", BINDING, tool, TOOL_NAMES, TOOL_DROP, false,
+           "Condition, with touch: what the finger's visitor has chosen. A tool without bindings does what it usually "
+           "does."),
     SECTION("usage", "Source: a control of a HID controller, by name (X, Dial, Button 3) or number (0x00090003)."),
     SECTION("button", "Source: a button on a GPIO line, by its id."),
     SECTION("encoder", "Source: a rotary encoder on GPIO lines, by its id."),
@@ -167,7 +172,14 @@ const struct key binding_keys[] = {
 
 const struct key binding_do_keys[] = {
     SECTION("next_ink", "Action: the visitor's next ink."),
-    SECTION("undo", "Action: the painting as it was before what visitors did last."),
+    SECTION("undo", "Action: takes back what this visitor did last."),
+    SECTION("redo", "Action: does again what this visitor took back last."),
+    SECTION("finish", "Action: the painting is finished: it is kept, and washed away."),
+    SECTION("staff", "Action: the staff's view. A button that is on from the start, a key switch, has been pressed."),
+    SECTION("next_tool", "Action: the visitor's next tool."),
+    SECTION("next_scene", "Action: the next scene."),
+    SECTION("next_language", "Action: the next language."),
+    SECTION("switch", "Action: the one button of one-switch play; pressed and let go."),
     SECTION("cursor", "Action: moves the controller's point on the sheet."),
     SECTION("turn", "Action: sets a coefficient to where an axis or a dial stands."),
     SECTION("dial", "Action: sets a parameter of all drops to come to where an axis or a dial stands."),

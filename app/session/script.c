@@ -46,6 +46,8 @@ const struct key canvas_keys[] = {
 const struct key action_tick_keys[] = {
     {"tick", KEY_INTEGER, "ticks", 0, SCRIPT_TICKS_MAX, 0, NULL, 0, true,
      "When it is done; after the session's ticks, never."},
+    {"visitor", KEY_INTEGER, "", 0, SCRIPT_VISITORS_MAX, 0, NULL, sizeof(int), false,
+     "Who does it; undo and redo of 0 concern whoever acted last."},
     {.name = NULL},
 };
 

@@ -258,15 +258,16 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     }
 }
 
-static void read_tick(struct reader *reader, const struct yaml_node *node, struct action *action)
+/* What stands beside the verb. */
+struct beside {
+    int tick, visitor;
+};
+
+static void read_beside(struct reader *reader, const struct key *key, const struct yaml_node *node,
+                        struct beside *beside)
 {
-    struct {
-        int tick;
-    } when = {0};
-    size_t length = reader_enter(reader, action_tick_keys[0].name);
-    if (value_read(reader, &action_tick_keys[0], node, &when)) {
-        action->tick = when.tick;
-    }
+    size_t length = reader_enter(reader, key->name);
+    value_read(reader, key, node, beside);
     reader_leave(reader, length);
 }
 
@@ -310,7 +311,8 @@ bool script_action_read(struct reader *reader, const struct yaml_node *node, str
         }
         return false;
     }
-    const struct yaml_node *tick = NULL, *verb = NULL;
+    const struct yaml_node *tick = NULL, *visitor = NULL, *verb = NULL;
+    struct beside beside = {0};
     bool any = false;
     for (const struct yaml_node *k = node->first; k && k->next; k = k->next->next) {
         bool word = k->kind == YAML_SCALAR;
@@ -319,6 +321,13 @@ bool script_action_read(struct reader *reader, const struct yaml_node *node, str
                 report_second(reader, k, "tick");
             }
             tick = k;
+            continue;
+        }
+        if (word && strcmp(k->text, "visitor") == 0) {
+            if (visitor) {
+                report_second(reader, k, "visitor");
+            }
+            visitor = k;
             continue;
         }
         any = true;
@@ -341,9 +350,14 @@ bool script_action_read(struct reader *reader, const struct yaml_node *node, str
         reader_leave(reader, length);
     }
     if (tick) {
-        read_tick(reader, tick->next, action);
+        read_beside(reader, &action_tick_keys[0], tick->next, &beside);
     } else {
         missing(reader, node, "tick", &action_tick_keys[0]);
     }
+    if (visitor) {
+        read_beside(reader, &action_tick_keys[1], visitor->next, &beside);
+    }
+    action->tick = beside.tick;
+    action->visitor = beside.visitor;
     return reader->report->count + reader->report->dropped == before && verb;
 }

@@ -14,22 +14,6 @@
 #include "lamps.h"
 #include "near.h"
 
-enum { MS = 1000 };
-
-static void finger(struct place *place, enum event_kind kind, int slot, float x, float y)
-{
-    struct event event = {.kind = kind, .source = SOURCE_TOUCH, .device = 1, .slot = slot, .x = x, .y = y};
-    event.time_us = place->now_us;
-    controls_feel(place->controls, &event);
-}
-
-static void control(struct place *place, enum event_source source, uint32_t device, uint32_t usage, float value)
-{
-    struct event event = {.kind = EVENT_CONTROL, .source = source, .device = device, .control = usage, .value = value};
-    event.time_us = place->now_us;
-    controls_feel(place->controls, &event);
-}
-
 static void centred(struct place *place, uint32_t usage, float value)
 {
     struct event event = {.kind = EVENT_CONTROL, .source = SOURCE_HID, .device = 1, .control = usage, .value = value};
@@ -44,17 +28,6 @@ static void steps(struct place *place, enum event_source source, uint32_t usage,
     event.relative = true;
     event.time_us = place->now_us;
     controls_feel(place->controls, &event);
-}
-
-static void wait_ms(struct place *place, int ms)
-{
-    place->now_us += (uint64_t)ms * MS;
-    controls_run(place->controls, place->now_us);
-}
-
-static bool take(struct place *place)
-{
-    return controls_action(place->controls, &place->action, &place->time_us);
 }
 
 static int count_actions(struct place *place, enum action_verb verb)
@@ -112,7 +85,7 @@ static void a_gamepad_moves_a_point_and_drops_there(void **state)
                                     "  - {usage: Button 1, drop: {}}\n"
                                     "  - {usage: Button 2, brush_ink: {}}\n");
     struct controls_cursor cursor;
-    assert_int_equal(controls_cursors(place.controls, &cursor, 1), 0);
+    assert_int_equal(controls_cursors(place.controls, place.now_us, &cursor, 1), 0);
     wait_ms(&place, 10);
     centred(&place, X, 0.5f);
     for (int i = 0; i < 10; i++) {
@@ -120,7 +93,7 @@ static void a_gamepad_moves_a_point_and_drops_there(void **state)
     }
     centred(&place, X, 0);
     wait_ms(&place, 50);
-    assert_int_equal(controls_cursors(place.controls, &cursor, 1), 1);
+    assert_int_equal(controls_cursors(place.controls, place.now_us, &cursor, 1), 1);
     assert_near(cursor.at.x, 0.5 + 0.5 * 0.25, 1e-4);
     control(&place, SOURCE_HID, 1, BUTTON_1, 1);
     control(&place, SOURCE_HID, 1, BUTTON_1, 0);
@@ -138,7 +111,7 @@ static void a_gamepad_moves_a_point_and_drops_there(void **state)
     controls_feel(place.controls, &left); /* in the middle of it: nothing goes on */
     wait_ms(&place, 50);
     assert_false(take(&place));
-    assert_int_equal(controls_cursors(place.controls, &cursor, 1), 0);
+    assert_int_equal(controls_cursors(place.controls, place.now_us, &cursor, 1), 0);
     assert_false(controls_are_held(place.controls));
     close_place(&place);
 }
@@ -283,11 +256,13 @@ static void undo_is_asked_for_once(void **state)
     (void)state;
     struct place place = open_place("bindings: [{usage: Button 1, when: long, undo: {}}]\n");
     control(&place, SOURCE_HID, 1, BUTTON_1, 1);
-    assert_false(controls_undo(place.controls));
+    struct wish wish;
+    assert_false(controls_wish(place.controls, &wish));
     place.now_us += 1000000;
     control(&place, SOURCE_HID, 1, BUTTON_1, 0);
-    assert_true(controls_undo(place.controls));
-    assert_false(controls_undo(place.controls));
+    assert_true(controls_wish(place.controls, &wish) && wish.kind == WISH_UNDO);
+    assert_true(wish.visitor == EXHIBIT_SEATS + 1 && !wish.down && wish.time_us == place.now_us);
+    assert_false(controls_wish(place.controls, &wish));
     assert_false(take(&place)); /* it lays nothing on the sheet */
     close_place(&place);
 }

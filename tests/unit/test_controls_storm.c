@@ -14,8 +14,6 @@
 #include "source_fake.h"
 #include "stroke.h"
 
-enum { MS = 1000 };
-
 #define X    HID_USAGE(HID_PAGE_DESKTOP, 0x30)
 #define DIAL HID_USAGE(HID_PAGE_DESKTOP, 0x37)
 

@@ -352,6 +352,18 @@ static const struct script_case ACTIONS[] = {
            "actions:\n"
            "  - {tick: -5, dry: {}}\n"),
      "s.yaml:4:12: actions[0].tick: -5 is out of range; 0 to 10000000 ticks\n"},
+    {"visitor negative",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 1, visitor: -1, undo: {}}\n"),
+     "s.yaml:4:24: actions[0].visitor: -1 is out of range; 0 to 1000\n"},
+    {"visitor twice",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 1, visitor: 1, undo: {}, visitor: 2}\n"),
+     "s.yaml:4:37: actions[0].visitor: given twice; once is enough\n"},
     {"no verb",
      BYTES("frond: 1\n"
            "inks: [cyan, magenta]\n"

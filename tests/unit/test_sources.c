@@ -49,7 +49,8 @@ static struct kiosk open_kiosk(void)
     report_finish(&report);
     assert_non_null(kiosk.inputs);
     kiosk.sources = sources_create(&(struct sources_def){.inputs = kiosk.inputs});
-    kiosk.controls = controls_create(&(struct controls_def){kiosk.inputs, 2, coefficients_default()});
+    kiosk.controls = controls_create(
+        &(struct controls_def){.inputs = kiosk.inputs, .inks = 2, .coefficients = coefficients_default()});
     assert_true(kiosk.sources && kiosk.controls);
     return kiosk;
 }
