@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "display.h"
+#include "history.h"
 #include "image.h"
 #include "limits.h"
 #include "painting_gpu.h"
@@ -20,6 +21,7 @@ struct studio {
     const struct render_def *def;
     struct display *display; /* a GL context without a screen, for the engine of the GPU; NULL: none */
     struct engine *engine;
+    struct history *history; /* NULL: nothing is taken back */
     struct picture *picture;
     float *planes; /* depth, solvent, mask, inks, and one to spare */
     uint8_t *rgb;
@@ -208,6 +210,33 @@ static bool write_frame(struct studio *studio, struct file_error *error)
     return good;
 }
 
+static bool goes_back(const struct script *script)
+{
+    bool back = false;
+    for (int i = 0; i < script->action_count; i++) {
+        enum action_verb verb = script->actions[i].verb;
+        back = back || verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
+    }
+    return back;
+}
+
+static bool open_history(struct studio *studio)
+{
+    struct painting_def painting = studio->engine->ops->get_def(studio->engine);
+    struct history_def def = history_default_def();
+    studio->history = goes_back(studio->script) ? history_create(&def, &painting) : NULL;
+    return studio->history || !goes_back(studio->script);
+}
+
+static void act(struct studio *studio, const struct action *action)
+{
+    if (studio->history) {
+        history_act(studio->history, studio->engine, action);
+    } else {
+        studio->engine->ops->act(studio->engine, action);
+    }
+}
+
 /* The actions of a tick, then the tick; those of the very last tick too, so that a session can end with one. */
 static bool run_session(struct studio *studio, struct progress *progress, struct file_error *error)
 {
@@ -216,9 +245,12 @@ static bool run_session(struct studio *studio, struct progress *progress, struct
     bool good = true;
     for (int64_t tick = 0; good && tick <= script->ticks; tick++) {
         for (; next < script->action_count && script->actions[next].tick <= tick; next++) {
-            studio->engine->ops->act(studio->engine, &script->actions[next]);
+            act(studio, &script->actions[next]);
         }
         if (tick < script->ticks) {
+            if (studio->history) {
+                history_tick(studio->history, studio->engine);
+            }
             studio->engine->ops->tick(studio->engine);
             good = write_frame(studio, error);
         }
@@ -248,7 +280,8 @@ bool render(const struct script *script, const struct render_def *def, struct pr
         !make_folder(def->frames, error)) {
         return false;
     }
-    bool good = open_engine(&studio, error) && (open_picture(&studio) || short_of_memory(&studio, error));
+    bool good = open_engine(&studio, error) &&
+                ((open_history(&studio) && open_picture(&studio)) || short_of_memory(&studio, error));
     good = good && run_session(&studio, progress, error) && write_end(&studio, error);
     if (progress) {
         progress_end(progress);
@@ -256,6 +289,7 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     free(studio.planes);
     free(studio.rgb);
     picture_destroy(studio.picture);
+    history_destroy(studio.history);
     engine_destroy(studio.engine);
     display_destroy(studio.display);
     return good;
