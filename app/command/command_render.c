@@ -6,6 +6,7 @@
 #include "option.h"
 #include "picture.h"
 #include "pictures.h"
+#include "plan.h"
 #include "render.h"
 
 static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n"
@@ -16,6 +17,9 @@ static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n
                            "      --every N          ticks from one of those to the next; 10 if left out\n"
                            "      --fields FILE.exr  every field of the painting, as float channels\n"
                            "      --stats FILE.json  sums, extremes and the figures of the shape\n"
+                           "      --svg FILE.svg         the branches as strokes in millimetres, for plotters and\n"
+                           "                             embroidery\n"
+                           "      --paper MM             width of its sheet; 200 if left out\n"
                            "      --seed N           instead of the script's\n"
                            "      --ticks N          instead of the script's\n"
                            "      --engine KIND      cpu (if left out), gpu, or auto: the faster on this machine.\n"
@@ -30,6 +34,8 @@ enum {
     EVERY,
     FIELDS,
     STATS,
+    SVG,
+    PAPER,
     SIZE,
     SEED,
     TICKS,
@@ -57,6 +63,7 @@ static int wrong(const char *option, const char *found, const char *allowed)
 static int take_option(struct order *order, int option)
 {
     struct render_def *def = &order->def;
+    int paper;
     switch (option) {
     case 'o':
         def->picture = optarg;
@@ -69,6 +76,15 @@ static int take_option(struct order *order, int option)
         break;
     case STATS:
         def->stats = optarg;
+        break;
+    case SVG:
+        def->svg = optarg;
+        break;
+    case PAPER:
+        if (!option_whole(optarg, PLAN_PAPER_LEAST, PLAN_PAPER_MOST, &paper)) {
+            return wrong("paper", optarg, "10 to 5000 mm");
+        }
+        def->paper_mm = paper;
         break;
     case DENSE:
         def->dense = true;
@@ -120,6 +136,7 @@ static bool read_order(int argc, char *argv[], struct order *order, int *status)
         {"output", required_argument, NULL, 'o'},      {"size", required_argument, NULL, SIZE},
         {"frames", required_argument, NULL, FRAMES},   {"every", required_argument, NULL, EVERY},
         {"fields", required_argument, NULL, FIELDS},   {"stats", required_argument, NULL, STATS},
+        {"svg", required_argument, NULL, SVG},         {"paper", required_argument, NULL, PAPER},
         {"seed", required_argument, NULL, SEED},       {"ticks", required_argument, NULL, TICKS},
         {"threads", required_argument, NULL, THREADS}, {"dense", no_argument, NULL, DENSE},
         {"engine", required_argument, NULL, ENGINE},   {"shaders", required_argument, NULL, SHADERS},

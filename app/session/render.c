@@ -11,6 +11,7 @@
 #include "image.h"
 #include "limits.h"
 #include "painting_gpu.h"
+#include "plan.h"
 #include "script_sheet.h"
 #include "stats.h"
 
@@ -190,6 +191,28 @@ static bool write_fields(struct studio *studio, const char *path, struct file_er
     return good;
 }
 
+static bool write_plan(struct studio *studio, const char *path, struct file_error *error)
+{
+    const struct engine_ops *ops = studio->engine->ops;
+    double paper = studio->def->paper_mm > 0 ? studio->def->paper_mm : PLAN_PAPER_MM;
+    float *depth = malloc(2 * studio->cells * sizeof *depth);
+    char *text = NULL;
+    size_t size;
+    if (depth) {
+        ops->read(studio->engine, PAINTING_ACTIVE, depth);
+        ops->read(studio->engine, PAINTING_CARVED, depth + studio->cells);
+        for (size_t i = 0; i < studio->cells; i++) {
+            depth[i] += depth[studio->cells + i];
+        }
+        text = plan_svg(depth, studio->script->width, studio->script->height, paper, &size);
+    }
+    bool good =
+        text ? file_write_atomic(path, text, size, error) : file_fail(error, path, "memory is short for the plan");
+    free(text);
+    free(depth);
+    return good;
+}
+
 static bool write_frame(struct studio *studio, struct file_error *error)
 {
     const char *folder = studio->def->frames;
@@ -234,6 +257,7 @@ static bool write_end(struct studio *studio, struct file_error *error)
     const struct render_def *def = studio->def;
     return (!def->fields || write_fields(studio, def->fields, error)) &&
            (!def->stats || stats_write(def->stats, studio->script, studio->engine, error)) &&
+           (!def->svg || write_plan(studio, def->svg, error)) &&
            (!def->picture || write_picture(studio, def->picture, error));
 }
 
@@ -245,7 +269,7 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     studio.height = def->height ? def->height : script->height;
     studio.cells = (size_t)script->width * (size_t)script->height;
     if (!check_file(def->picture, error) || !check_file(def->fields, error) || !check_file(def->stats, error) ||
-        !make_folder(def->frames, error)) {
+        !check_file(def->svg, error) || !make_folder(def->frames, error)) {
         return false;
     }
     bool good = open_engine(&studio, error) && (open_picture(&studio) || short_of_memory(&studio, error));
