@@ -144,10 +144,11 @@ static void a_seat_paints_in_the_ink_that_it_has_chosen(void **state)
     assert_drop(&place, 1, 2);
     close_place(&place);
     place = open_table("visitors: shared\nbindings: [{touch: press, next_ink: {}}]\n");
+    controls_set_ink(place.controls, 0, 1);
     tap(&place, 0.9f, 0.5f); /* hers is not that of all */
-    assert_int_equal(controls_ink(place.controls, 0), 0);
-    tap(&place, 0.1f, 0.5f);
     assert_int_equal(controls_ink(place.controls, 0), 1);
+    tap(&place, 0.1f, 0.5f);
+    assert_int_equal(controls_ink(place.controls, 0), 2);
     close_place(&place);
 }
 
