@@ -74,6 +74,8 @@ enum exhibit_tool { /* what a finger on the sheet does; the order on the palette
                     TOOLS,
 };
 
+extern const char *const exhibit_tool_names[]; /* "drop", "brush", ...; ends with NULL */
+
 enum exhibit_side { SIDE_OF_LEFT, SIDE_OF_RIGHT, SIDE_OF_BOTTOM, SIDE_OF_NONE };
 
 struct exhibit_palette { /* the heads-up one, not that of inks */

@@ -7,7 +7,7 @@
 static void read_tool(struct reader *reader, const struct yaml_node *item, int index, void *context)
 {
     struct exhibit_palette *palette = context;
-    struct names names = names_of_choices(tool_names);
+    struct names names = names_of_choices(exhibit_tool_names);
     int tool = 0;
     (void)index;
     if (value_choice(reader, &names, "tool", item, &tool)) {

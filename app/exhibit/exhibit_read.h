@@ -33,8 +33,7 @@ extern const struct key schedule_keys[]; /* over struct exhibit_hours */
 extern const struct key gallery_keys[];  /* over struct exhibit_gallery */
 extern const struct key staff_keys[];    /* over struct exhibit_staff */
 extern const struct key text_keys[];     /* by enum exhibit_text; over struct words, a language at a time */
-extern const char *const tool_names[];   /* enum exhibit_tool; these three end with NULL */
-extern const char *const corner_names[];
+extern const char *const corner_names[]; /* these two end with NULL */
 extern const char *const day_names[];
 
 /* Defaults of all values that are no sections, over `object`. */

@@ -9,7 +9,7 @@ static const char *const ENGINES[] = {"auto", "cpu", "gpu", NULL};
 static const char *const TURNS[] = {"0", "90", "180", "270", NULL};
 static const char *const SIDES[] = {"left", "right", "bottom", "none", NULL};
 
-const char *const tool_names[] = {"drop", "brush", "guide", "pour", "mask", "rewind", NULL};
+const char *const exhibit_tool_names[] = {"drop", "brush", "guide", "pour", "mask", "rewind", NULL};
 const char *const corner_names[] = {"top left", "top right", "bottom right", "bottom left", NULL};
 const char *const day_names[] = {"mon", "tue", "wed", "thu", "fri", "sat", "sun", NULL};
 

@@ -8,7 +8,6 @@ static const char *const VISITORS[] = {"each", "shared", NULL};
 static const char *const BIASES[] = {"as is", "none", "pull up", "pull down", NULL};
 static const char *const MODES[] = {"absolute", "relative", "counter", NULL};
 static const char *const TOUCHES[] = {"press", "tap", "long press", "drag", "two-finger drag", "pinch", NULL};
-static const char *const TOOL_NAMES[TOOLS + 1] = {"drop", "brush", "guide", "pour", "mask", "rewind", NULL};
 static const char *const WHENS[] = {"press", "release", "short", "long", "double", "hold", "move", NULL};
 static const char *const WAYS[] = {"any", "up", "down", "left", "right", NULL};
 static const char *const WHERES[] = {"there", "sheet", NULL};
@@ -149,7 +148,7 @@ const struct key lamp_keys[] = {
 #define BINDING struct binding
 const struct key binding_keys[] = {
     CHOICE("touch", BINDING, touch, TOUCHES, TOUCH_PRESS, false, "Source: what a finger does, or two of one hand."),
-    CHOICE("tool", BINDING, tool, TOOL_NAMES, TOOL_DROP, false,
+    CHOICE("tool", BINDING, tool, exhibit_tool_names, TOOL_DROP, false,
            "Condition, with touch: what the finger's visitor has chosen. A tool without bindings does what it usually "
            "does."),
     SECTION("usage", "Source: a control of a HID controller, by name (X, Dial, Button 3) or number (0x00090003)."),

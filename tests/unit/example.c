@@ -46,6 +46,9 @@ static void add_verbs(struct example *example)
         struct key keys[2] = {{.name = action_name(verb), .unit = "section", .meaning = action_meaning(verb)},
                               {.name = NULL}};
         char place[EXAMPLE_PLACE];
+        if (key_find(table(inputs_tables, "do"), keys->name)) {
+            continue; /* the visitor's own, and no verb in a binding */
+        }
         add(example, "inputs.bindings[]", keys);
         snprintf(place, sizeof place, "inputs.bindings[].%s", action_name(verb));
         add(example, place, action_keys(verb));
@@ -88,7 +91,6 @@ static void add_tables(struct example *example)
     }
     add(example, "scenes[].painting", coefficient_keys);
     add_verbs(example);
-    assert_non_null(table(inputs_tables, "inputs"));
 }
 
 static int find(const struct example *example, const char *place, const char *name, size_t length)

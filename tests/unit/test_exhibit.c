@@ -260,7 +260,7 @@ static void inputs_are_those_of_an_inputs_file(void **state)
     assert_non_null(inputs);
     assert_int_equal(inputs->visitors, VISITORS_SHARED);
     assert_true(inputs->touchscreens);
-    assert_int_equal(inputs->binding_count, 2);
+    assert_int_equal(inputs->written_count, 2);
     assert_int_equal(inputs->bindings[0].action.ink, 1);
     assert_int_equal(inputs->bindings[1].action.ink, -1);
     assert_int_equal(inputs->lamps[0].button, 0);

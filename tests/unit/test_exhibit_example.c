@@ -68,7 +68,8 @@ static void explain_says_the_same(void **state)
     for (int i = 0; i < example->row_count; i++) {
         const struct key *key = &example->rows[i].key;
         char range[EXAMPLE_COMMENT], line[2 * EXAMPLE_COMMENT];
-        bool verb = strcmp(key->unit, "section") == 0 && action_find(key->name) != ACTION_VERBS;
+        enum action_verb found = action_find(key->name);
+        bool verb = found != ACTION_VERBS && key->meaning == action_meaning(found);
         if (verb) {
             snprintf(line, sizeof line, "%s: %s\n", key->name, key->meaning);
         } else {
