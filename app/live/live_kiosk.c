@@ -256,8 +256,24 @@ bool live_kiosk_leaves(const struct live_kiosk *kiosk)
     return kiosk->kiosk && kiosk_leaves(kiosk->kiosk);
 }
 
+/* What the visit has come to, whenever that is another state than before. */
+static void note_visit(struct live_kiosk *kiosk)
+{
+    const char *state = kiosk_state(kiosk->kiosk);
+    if (state != kiosk->said) {
+        say(kiosk, "visit %u: %s", kiosk_visits(kiosk->kiosk), state);
+        kiosk->said = state;
+    } else if (kiosk_staff(kiosk->kiosk) != kiosk->status_said) {
+        kiosk->status_said = !kiosk->status_said;
+        say(kiosk, "staff: the status view is %s", kiosk->status_said ? "up" : "gone");
+    }
+}
+
 bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
 {
+    if (kiosk->kiosk && !kiosk->has_line) {
+        note_visit(kiosk);
+    }
     if (kiosk->has_line) {
         snprintf(line, (size_t)size, "%s", kiosk->line);
         kiosk->has_line = false;

@@ -345,6 +345,11 @@ const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk)
     return &kiosk->exhibit->scenes[kiosk->scene];
 }
 
+bool kiosk_staff(const struct kiosk *kiosk)
+{
+    return kiosk->hud.status;
+}
+
 bool kiosk_leaves(const struct kiosk *kiosk)
 {
     return kiosk->leaves;
