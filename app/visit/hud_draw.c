@@ -10,7 +10,8 @@
 #include "ink.h"
 
 static const struct pen_colour SCANNED = {0, 0.3, 0.95};
-static const double SQUEEZED = 0.7; /* letters are made narrower up to this before a word is left out */
+static const double SQUEEZED_LINE = 0.83; /* letters are made narrower down to this before words take a second line */
+static const double SQUEEZED = 0.68;      /* and down to this before they are left out */
 
 /* What a drawing of a panel needs to know. */
 struct board {
@@ -75,29 +76,36 @@ static struct pen_colour wet_of(const struct board *board, bool dark)
     return colour;
 }
 
-static void draw_label(const struct board *board, const struct hud_button *button, double x, double y,
-                       struct pen_colour colour)
+/* Words from y down, around x, in so many lines, squeezed no more than to that. False where there is no room. */
+static bool fit_label(const struct board *board, struct pen_words *words, double x, double y, double room, int lines,
+                      double least)
 {
     const struct pen *pen = board->pen;
+    for (double squeeze = 1; squeeze > least; squeeze -= 0.05) {
+        double width, height;
+        words->width = room / squeeze;
+        if (pen_measure(pen, words, &width, &height) <= lines && width * squeeze <= room) {
+            cairo_save(pen->cairo);
+            cairo_translate(pen->cairo, x, y + 0.5 * height);
+            cairo_scale(pen->cairo, squeeze, 1);
+            pen_write(pen, words, 0, 0);
+            cairo_restore(pen->cairo);
+            return true;
+        }
+    }
+    return false;
+}
+
+static void draw_label(const struct board *board, const struct hud_button *button, double x, double y)
+{
     struct pen_words words = {.size = (double)HUD_TEXT * board->mm, .bold = true};
+    double room = (double)button->width - 0.4 * board->mm;
     int language;
     words.text = hud_label(board->hud, button, &language);
     words.tag = hud_tag(language);
-    if (!*words.text) {
-        return;
+    if (*words.text && !fit_label(board, &words, x, y, room, 1, SQUEEZED_LINE)) {
+        fit_label(board, &words, x, y, room, board->panel->labels, SQUEEZED);
     }
-    double width, height, room = (double)button->width - 0.6 * board->mm;
-    pen_measure(pen, &words, &width, &height);
-    double squeeze = fmin(1, room / width);
-    if (squeeze < SQUEEZED) {
-        return;
-    }
-    cairo_save(pen->cairo);
-    cairo_translate(pen->cairo, x, y);
-    cairo_scale(pen->cairo, squeeze, 1);
-    pen_set(pen, colour, 1);
-    pen_write(pen, &words, 0, 0);
-    cairo_restore(pen->cairo);
 }
 
 /* In the bubble: how the language that it brings is called, its first letters. */
@@ -131,7 +139,7 @@ static void draw_ink(const struct board *board, const struct hud_button *button,
         cairo_set_line_width(pen->cairo, 1.2 * board->mm);
         cairo_stroke(pen->cairo);
     }
-    hud_icon_ink(pen, hud_ink(board->hud, button->value), button->value, x, y, (chosen ? 0.36 : 0.43) * side);
+    hud_icon_ink(pen, hud_ink(board->hud, button->value), button->value, x, y, 0.44 * side, !chosen);
 }
 
 static void draw_ground(const struct board *board, int index, double x, double y)
@@ -176,10 +184,10 @@ static void draw_button(const struct board *board, int index)
     const struct pen *pen = board->pen;
     const struct hud_button *button = &board->panel->buttons[index];
     double x = (double)button->x - board->left, y = (double)button->y - board->top;
-    double label = board->panel->labels ? ceil((double)HUD_LABEL * board->mm) : 0;
-    double side = fmin((double)button->width, (double)button->height - label);
+    double side = (double)fmaxf(board->hud->def.exhibit->palette.target, HUD_TARGET) * board->mm;
+    double label = (double)button->height - ceil(side);
     bool chosen = button->kind != HUD_INK && is_chosen(board->hud, board->panel, button);
-    bool plain = label > 0 && button->kind == HUD_INK; /* no word under it: it takes all the room */
+    bool plain = board->panel->labels > 0 && button->kind == HUD_INK; /* no word under it: it takes all the room */
     double middle = x + 0.5 * (double)button->width, across = y + 0.5 * (plain ? side + label : side);
     struct hud_icon_style style = {.line = chosen ? pen_paper : pen_dark, .ground = chosen ? pen_dark : pen_paper};
     style.wet = wet_of(board, chosen);
@@ -195,15 +203,17 @@ static void draw_button(const struct board *board, int index)
         cairo_push_group(pen->cairo);
     }
     if (button->kind == HUD_INK) {
-        draw_ink(board, button, middle, across - lift, side * (plain ? 1.18 : 1) - 2 * lift);
+        draw_ink(board, button, middle, across - lift,
+                 fmin(plain ? 1.35 * side : side, (double)button->width) - 2 * lift);
     } else {
-        hud_icon_draw(pen, icon_of(button), middle, across - lift, 0.37 * side, &style);
+        hud_icon_draw(pen, icon_of(button), middle, across - lift, 0.41 * side, &style);
     }
     if (button->kind == HUD_LANGUAGE) {
-        draw_letters(board, button, middle, across, 0.37 * side);
+        draw_letters(board, button, middle, across, 0.41 * side);
     }
-    if (label > 0) {
-        draw_label(board, button, middle, y + side + 0.42 * label, style.line);
+    if (board->panel->labels > 0) {
+        pen_set(pen, style.line, 1);
+        draw_label(board, button, middle, y + 0.97 * side);
     }
     pen_set(pen, style.line, 0.8);
     if (lift > 0) {

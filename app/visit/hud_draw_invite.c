@@ -28,42 +28,41 @@ struct frost {
 /* A branch from x, y, which is `from` pixels from the first drop as it grew; smaller ones leave it on both sides. */
 static void grow(struct frost *frost, double x, double y, double angle, double length, double from, int order)
 {
-    enum { STEPS = 9 };
-    double step = length / STEPS;
-    for (int i = 0; i < STEPS && from + i * step < frost->reach; i++) {
-        double part = fmin(1, (frost->reach - from - i * step) / step);
-        angle += 0.3 * (pen_chance(frost->seed, 1) - 0.5);
+    static const int STEPS[] = {14, 7, 4};
+    static const double WIDTH[] = {0.062, 0.045, 0.034}, SHARE[] = {0.5, 0.42};
+    double step = length / STEPS[order];
+    for (int i = 0; i < STEPS[order] && from + i * step < frost->reach; i++) {
+        double part = fmin(1, (frost->reach - from - i * step) / step), share = (double)i / STEPS[order];
+        angle += 0.24 * (pen_chance(frost->seed, 1) - 0.5);
         double next_x = x + part * step * cos(angle), next_y = y + part * step * sin(angle);
-        double age = fmin(1, (from + i * step) / frost->size);
-        pen_set(frost->pen, pen_between(frost->thick, frost->thin, age), 1);
-        cairo_set_line_width(frost->pen->cairo, frost->size * (0.05 - 0.011 * order) * (1 - 0.55 * i / STEPS));
+        pen_set(frost->pen, pen_between(frost->thick, frost->thin, fmin(1, (from + i * step) / frost->size)), 1);
+        cairo_set_line_width(frost->pen->cairo, frost->size * WIDTH[order] * (1 - 0.5 * share));
         cairo_move_to(frost->pen->cairo, x, y);
         cairo_line_to(frost->pen->cairo, next_x, next_y);
         cairo_stroke(frost->pen->cairo);
         frost->seed++;
         x = next_x;
         y = next_y;
-        if (part == 1 && order < 2 && i > 0) {
-            double left = length * (0.62 - 0.3 * order) * (1 - (double)i / (STEPS + 1));
-            for (int side = -1; side <= 1; side += 2) {
-                unsigned seed = frost->seed;
-                frost->seed = seed * 31 + (unsigned)(i * 4 + side + 1);
-                grow(frost, x, y, angle + side * (0.85 + 0.25 * pen_chance(frost->seed, 2)),
-                     left * (0.7 + 0.5 * pen_chance(frost->seed, 3)), from + (i + 1) * step, order + 1);
-                frost->seed = seed;
-            }
+        if (part == 1 && order < 2 && i > (order == 0 ? 2 : 0)) { /* by turns to the left and to the right */
+            unsigned seed = frost->seed;
+            int side = (int)(seed % 2) * 2 - 1;
+            double left = length * SHARE[order] * (1 - share) * (0.75 + 0.5 * pen_chance(seed, 3));
+            frost->seed = seed * 31;
+            grow(frost, x, y, angle + side * (0.65 + 0.3 * pen_chance(seed, 2)), left, from + (i + 1) * step,
+                 order + 1);
+            frost->seed = seed;
         }
     }
 }
 
 static void draw_frost(const struct pen *pen, int ink, double x, double y, double size, double share)
 {
-    enum { ARMS = 7 };
+    enum { ARMS = 8 };
     struct frost frost = {.pen = pen, .size = size, .reach = 1.1 * size * share};
-    frost.thick = ink == INK_NONE ? pen_dark : pen_ink(ink, 1.3);
-    frost.thin = ink == INK_NONE ? pen_dark : pen_ink(ink, 0.4);
+    frost.thick = ink == INK_NONE ? pen_dark : pen_ink(ink, 1.7);
+    frost.thin = ink == INK_NONE ? pen_dark : pen_ink(ink, 0.45);
     for (int order = 0; order < ARMS && share > 0; order++) {
-        frost.seed = 900 + 17 * (unsigned)order;
+        frost.seed = 902 + 17 * (unsigned)order;
         double angle = 2 * G_PI * (order + 0.5 * (pen_chance(frost.seed, 0) - 0.5)) / ARMS;
         grow(&frost, x, y, angle, size * (0.78 + 0.25 * pen_chance(frost.seed, 9)), 0, 0);
     }
@@ -120,7 +119,7 @@ static void draw_phase(const struct hud *hud, const struct pen *pen, double phas
     cairo_paint_with_alpha(pen->cairo, seen);
     draw_rings(pen, phase, x, y, unit);
     if (up < 1) {
-        hud_icon_finger(pen, x + 0.8 * away, y + away, 34 * unit, &style, fmin(along(phase, -2, 3), 1 - up));
+        hud_icon_finger(pen, x + 0.8 * away, y + away, 44 * unit, &style, fmin(along(phase, -2, 3), 1 - up));
     }
 }
 
@@ -129,10 +128,10 @@ bool hud_draw_invite(const struct hud *hud, int phase, struct hud_image *image)
     struct pen pen;
     double unit = hud_unit(hud), mm = (double)hud->mm;
     struct pen_words words = {.text = hud_text(hud, TEXT_INVITE), .tag = hud_tag(hud->language), .bold = true};
-    words.size = fmax(5.5 * mm, 10 * unit);
+    words.size = fmax(6 * mm, 13 * unit);
     uint64_t key = pen_hash_text(pen_hash_int(hud_key(hud, PIECE_INVITE), phase), words.text);
-    int width = (int)fmin(ceil(260 * unit), hud->def.width), height = (int)fmin(ceil(190 * unit), hud->def.height);
-    words.width = 0.72 * width;
+    int width = (int)fmin(ceil(210 * unit), hud->def.width), height = (int)fmin(ceil(176 * unit), hud->def.height);
+    words.width = 0.8 * width;
     if (!hud_image_begin(image, key, width, height, &pen)) {
         return false;
     }

@@ -59,7 +59,7 @@ static struct field field_of(const struct hud *hud, int count)
 
 static void draw_lines(const struct pen *pen, const struct table *table, const struct field *field)
 {
-    double pair = field->width / field->pairs, name = 0.36 * pair;
+    double pair = field->width / field->pairs, name = fmin(0.36 * pair, 7.5 * field->line);
     for (int i = 0; i < table->count; i++) {
         double x = field->x + i / field->rows * pair, y = field->y + (i % field->rows + 0.5) * field->line;
         struct pen_words words = {.text = table->names[i], .tag = "en", .size = 0.56 * field->line};

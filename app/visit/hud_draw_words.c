@@ -93,13 +93,13 @@ bool hud_draw_countdown(const struct hud *hud, int seconds, float share, struct 
     if ((image->rgba && image->key == key) || !measure(words, WORDS, &widest, heights)) {
         return false;
     }
-    double high = gap + 2.2 * radius + gap + heights[SENTENCE] + 0.7 * gap + heights[STAY] + gap;
+    double high = 1.6 * gap + 2.2 * radius + gap + heights[SENTENCE] + 0.7 * gap + heights[STAY] + 1.3 * gap;
     double wide = fmax(widest, 3 * radius) + 3 * gap;
     struct card card = card_of(hud, wide, high);
     if (!hud_image_begin(image, key, card.width, card.height, &pen)) {
         return false;
     }
-    double x = 0.5 * card.width, y = card.edge + gap + 1.1 * radius;
+    double x = 0.5 * card.width, y = card.edge + 1.6 * gap + 1.1 * radius;
     draw_card(hud, &pen, &card, 0.93);
     draw_ring(hud, &pen, x, y, radius, (double)step / STEPS);
     pen_set(&pen, pen_dark, 1);

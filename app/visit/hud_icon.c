@@ -355,12 +355,12 @@ void hud_icon_mark(const struct pen *pen, int number, double x, double y, double
     cairo_restore(pen->cairo);
 }
 
-void hud_icon_ink(const struct pen *pen, int ink, int number, double x, double y, double radius)
+void hud_icon_ink(const struct pen *pen, int ink, int number, double x, double y, double radius, bool splashes)
 {
     struct pen_colour thin = pen_ink(ink, 0.75), thick = pen_ink(ink, 1.5), middle = pen_ink(ink, 1);
     unsigned seed = 31 + (unsigned)number;
     cairo_new_path(pen->cairo);
-    for (unsigned i = 0; i < 5; i++) { /* a few splashes around it */
+    for (unsigned i = 0; i < 5 && splashes; i++) {
         double angle = 2 * G_PI * (i + 0.7 * pen_chance(seed, 40 + i)) / 5;
         double away = radius * (0.97 + 0.1 * pen_chance(seed, 50 + i));
         cairo_new_sub_path(pen->cairo);

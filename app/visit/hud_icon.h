@@ -32,8 +32,9 @@ struct hud_icon_style {
 void hud_icon_draw(const struct pen *pen, enum hud_icon icon, double x, double y, double radius,
                    const struct hud_icon_style *style);
 /* An ink as a blot of itself: `ink` of ink.h. The mark on it, by its number of the scene's inks, is for those who do
- * not see its colour: a ring, a triangle, a square, a wave. */
-void hud_icon_ink(const struct pen *pen, int ink, int number, double x, double y, double radius);
+ * not see its colour: a ring, a triangle, a square, a wave. Splashes go a tenth beyond the
+ * radius. */
+void hud_icon_ink(const struct pen *pen, int ink, int number, double x, double y, double radius, bool splashes);
 /* The mark alone. */
 void hud_icon_mark(const struct pen *pen, int number, double x, double y, double radius);
 /* A hand that points, the tip of its finger at x, y; `size` from the tip to the wrist. */

@@ -7,8 +7,9 @@
 
 const struct pen_colour pen_paper = {0.988, 0.978, 0.957}, pen_dark = {0.17, 0.16, 0.2};
 
-/* One of each script, so that no machine's settings choose; what else there is comes after. */
-static const char FONTS[] = "Quicksand,Noto Sans Arabic UI,MotoyaLMaru,DejaVu Sans,Sans";
+/* One of each script, so that no machine's settings choose; what else there is comes after. A weight that is a family
+ * of its own comes first. */
+#define FONTS "Quicksand,Noto Sans Arabic UI,MotoyaLMaru,DejaVu Sans,Sans"
 
 bool pen_open(struct pen *pen, int width, int height)
 {
@@ -230,16 +231,17 @@ void pen_draw_card(const struct pen *pen, double x, double y, double width, doub
 
 static void set_words(const struct pen *pen, const struct pen_words *words)
 {
-    PangoFontDescription *font = pango_font_description_from_string(FONTS);
+    PangoFontDescription *font = pango_font_description_from_string(words->bold ? FONTS : "Quicksand Medium," FONTS);
     PangoContext *context = pango_layout_get_context(pen->layout);
-    pango_font_description_set_weight(font, words->bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_MEDIUM);
+    pango_font_description_set_weight(font, words->bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
     pango_font_description_set_absolute_size(font, words->size * PANGO_SCALE);
     pango_context_set_language(context, pango_language_from_string(words->tag));
     pango_layout_set_font_description(pen->layout, font);
     pango_font_description_free(font);
     pango_layout_set_alignment(pen->layout, PANGO_ALIGN_CENTER);
-    pango_layout_set_wrap(pen->layout, PANGO_WRAP_WORD_CHAR);
+    pango_layout_set_wrap(pen->layout, PANGO_WRAP_WORD);
     pango_layout_set_width(pen->layout, -1);
+    pango_layout_set_line_spacing(pen->layout, 0.95F);
     pango_layout_set_text(pen->layout, words->text, -1);
     int wide;
     pango_layout_get_size(pen->layout, &wide, NULL);
@@ -305,17 +307,25 @@ void pen_write_haloed(const struct pen *pen, const struct pen_words *words, doub
 
 void pen_write_cut(const struct pen *pen, const struct pen_words *words, double x, double y, double width)
 {
-    int high;
-    set_words(pen, words);
+    struct pen_words small = *words;
+    double wide, high;
+    small.width = 0;
+    pen_measure(pen, &small, &wide, &high);
+    if (wide > width) {
+        small.size *= 0.62;
+    }
+    set_words(pen, &small);
     pango_layout_set_alignment(pen->layout, PANGO_ALIGN_LEFT);
+    pango_layout_set_wrap(pen->layout, PANGO_WRAP_WORD_CHAR);
     pango_layout_set_width(pen->layout, (int)(fmax(width, 1) * PANGO_SCALE));
+    pango_layout_set_height(pen->layout, wide > width ? -2 : -1);
     pango_layout_set_ellipsize(pen->layout, PANGO_ELLIPSIZE_END);
-    pango_layout_set_single_paragraph_mode(pen->layout, TRUE);
-    pango_layout_get_size(pen->layout, NULL, &high);
-    cairo_move_to(pen->cairo, x, y - 0.5 * high / PANGO_SCALE);
+    int rows;
+    pango_layout_get_size(pen->layout, NULL, &rows);
+    cairo_move_to(pen->cairo, x, y - 0.5 * rows / PANGO_SCALE);
     pango_cairo_show_layout(pen->cairo, pen->layout);
     pango_layout_set_ellipsize(pen->layout, PANGO_ELLIPSIZE_NONE);
-    pango_layout_set_single_paragraph_mode(pen->layout, FALSE);
+    pango_layout_set_height(pen->layout, -1);
 }
 
 int pen_unknown(const struct pen *pen, const struct pen_words *words)

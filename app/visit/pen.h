@@ -61,7 +61,8 @@ int pen_measure(const struct pen *pen, const struct pen_words *words, double *wi
 void pen_write(const struct pen *pen, const struct pen_words *words, double x, double y);
 /* The same with a soft border of paper around each letter, for words on a painting. */
 void pen_write_haloed(const struct pen *pen, const struct pen_words *words, double x, double y);
-/* One line from x on, its middle at y, cut off with dots where it is wider than that many pixels. */
+/* One line from x on, its middle at y; where it is wider than that many pixels two small ones, and dots for the rest.
+ */
 void pen_write_cut(const struct pen *pen, const struct pen_words *words, double x, double y, double width);
 /* How many of its characters no font has. */
 int pen_unknown(const struct pen *pen, const struct pen_words *words);
