@@ -58,6 +58,7 @@ static void take(struct live_input *input, const struct event *event)
     struct device device;
     if (event->kind == EVENT_ARRIVED && sources_device(input->sources, event, &device)) {
         controls_introduce(input->controls, event->source, &device);
+        lamps_introduce(&input->lamps, event->source, &device);
     }
     controls_feel(input->controls, event);
     lamps_feel(&input->lamps, event);
