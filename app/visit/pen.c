@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "ink.h"
+#include "ink_table.h"
 
 const struct pen_colour pen_paper = {0.988, 0.978, 0.957}, pen_dark = {0.17, 0.16, 0.2};
 
@@ -72,11 +73,15 @@ struct pen_colour pen_between(struct pen_colour from, struct pen_colour to, doub
                                from.blue + share * (to.blue - from.blue)};
 }
 
-struct pen_colour pen_ink(int ink, double thickness)
+struct pen_colour pen_ink(int ink, int mixing, double thickness)
 {
     const int mixed[INK_PALETTE] = {ink, INK_NONE, INK_NONE, INK_NONE};
     const float thick[INK_PALETTE] = {(float)thickness};
     float rgb[3];
+    if (mixing == INK_CMY) {
+        ink_mix_cmy(mixed, thick, rgb);
+        return (struct pen_colour){(double)rgb[0], (double)rgb[1], (double)rgb[2]};
+    }
     ink_mix(mixed, thick, rgb);
     return (struct pen_colour){(double)ink_encode(fminf(rgb[0], 1)), (double)ink_encode(fminf(rgb[1], 1)),
                                (double)ink_encode(fminf(rgb[2], 1))};
@@ -242,7 +247,13 @@ static void set_words(const struct pen *pen, const struct pen_words *words)
     pango_layout_set_wrap(pen->layout, PANGO_WRAP_WORD);
     pango_layout_set_width(pen->layout, -1);
     pango_layout_set_line_spacing(pen->layout, 0.95F);
-    pango_layout_set_text(pen->layout, words->text, -1);
+    if (g_utf8_validate(words->text, -1, NULL)) {
+        pango_layout_set_text(pen->layout, words->text, -1);
+    } else { /* the name of a device, say */
+        char *valid = g_utf8_make_valid(words->text, -1);
+        pango_layout_set_text(pen->layout, valid, -1);
+        g_free(valid);
+    }
     int wide;
     pango_layout_get_size(pen->layout, &wide, NULL);
     if (words->width <= 0 || wide <= words->width * PANGO_SCALE) {
