@@ -266,6 +266,9 @@ bool hud_draw_cursor(const struct hud *hud, int ink, float share, struct hud_ima
     }
     double middle = 0.5 * side;
     struct pen_colour colour = hud_ink_colour(hud, ink, 1);
+    cairo_arc(pen.cairo, middle, middle, 4.4 * mm, 0, 2 * G_PI);
+    pen_set(&pen, pen_paper, 0.8);
+    cairo_fill(pen.cairo);
     const double widths[] = {3.2, 2.2, 1.5};
     const struct pen_colour colours[] = {pen_paper, pen_dark, colour};
     for (int i = 0; i < 3; i++) { /* seen on any painting: dark between paper */
@@ -275,12 +278,8 @@ bool hud_draw_cursor(const struct hud *hud, int ink, float share, struct hud_ima
         cairo_set_line_width(pen.cairo, widths[i] * mm);
         cairo_stroke(pen.cairo);
     }
-    for (int i = 0; i < 2; i++) {
-        pen_set(&pen, i == 0 ? pen_paper : pen_dark, 1);
-        cairo_save(pen.cairo);
-        hud_icon_mark(&pen, ink, middle, middle, (i == 0 ? 1.9 : 1.7) * mm);
-        cairo_restore(pen.cairo);
-    }
+    pen_set(&pen, pen_dark, 1);
+    hud_icon_mark(&pen, ink, middle, middle, 1.9 * mm);
     for (int i = 0; i < 2 && step > 0; i++) {
         cairo_new_path(pen.cairo);
         cairo_arc(pen.cairo, middle, middle, 7.6 * mm, -0.5 * G_PI, -0.5 * G_PI + 2 * G_PI * step / STEPS);
@@ -313,5 +312,5 @@ bool hud_draw_mark(const struct hud *hud, struct hud_image *image)
         cairo_line_to(pen.cairo, 0.5 * side, 0.71 * side);
         cairo_stroke(pen.cairo);
     }
-    return hud_image_end(image, key, hud->def.width - side - edge, edge, &pen);
+    return hud_image_end(image, key, (hud->def.width - side) / 2, edge, &pen);
 }
