@@ -13,7 +13,7 @@ enum {
     SHORTEST = 7,   /* cells of a branch that ends in a tip */
 };
 
-static const float STEEP = 30; /* a way is e times cheaper for each 1/30 that it is deeper than around it */
+static const float STEEP = 20; /* a way is e times cheaper for each 1/20 that it is deeper than around it */
 
 /* Cells that a way reached, the cheapest first: a binary heap. */
 struct heap {
@@ -185,7 +185,7 @@ static void find_heights(struct search *search, const float *depth, float *betwe
         float over = search->height[i] - search->spare[i];
         trees->ridge[i] = over > 0;
         search->spare[i] += search->height[i];
-        search->height[i] = expf(-STEEP * fminf(fmaxf(over, -0.2f), 0.2f));
+        search->height[i] = expf(-STEEP * fminf(fmaxf(over, -0.4f), 0.4f));
     }
 }
 
