@@ -201,7 +201,7 @@ vec2 rinse(int word, float phase, float turn)
     pattern[ACTIVE * planes.w + word] *= stays;
     int carved = CARVED * planes.w + word, catalyst = CATALYST * planes.w + word;
     pattern[carved] = stays * pattern[carved] + wets * keeps * RINSE_FILM;
-    pattern[catalyst] = 1.0 - keeps * (1.0 - pattern[catalyst]);
+    pattern[catalyst] = 1.0 - stays * (1.0 - pattern[catalyst]);
     return gone;
 }
 

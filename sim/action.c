@@ -124,7 +124,7 @@ static const struct key WET[] = {
 };
 static const struct key RINSE[] = {
     AT(false, "Middle of a disc of water; not with a path."),
-    {"path", KEY_PATH, "0..1 of the sheet", -1, 2, 0, NULL, FIELD(path), false,
+    {"path", KEY_PATH, "0..1 of the sheet", -2, 3, 0, NULL, FIELD(path), false,
      "The front of the water, from one side of the sheet to the other; it may lie beyond the sheet."},
     {"flow", KEY_POINT, "", -1, 1, 0, NULL, FIELD(flow), false,
      "Where the water runs: [1, 0] is to the right; down if left out."},

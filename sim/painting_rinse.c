@@ -105,7 +105,7 @@ static void dissolve(const struct stretch *stretch)
     for (int i = 0; i < stretch->count; i++) {
         active[i] *= stretch->stays[i];
         carved[i] = stretch->stays[i] * carved[i] + stretch->comes[i] * RINSE_FILM;
-        catalyst[i] = 1.0f - stretch->keeps[i] * (1.0f - catalyst[i]);
+        catalyst[i] = 1.0f - stretch->stays[i] * (1.0f - catalyst[i]);
     }
 }
 

@@ -78,6 +78,18 @@ struct inputs_lines {        /* a button, an encoder or a lamp */
     int button;            /* in buttons[]; -1: none */
 };
 
+/* A lamp of a controller: an output of its own usage, or bits of an output report. */
+struct inputs_glow {
+    const char *id;
+    int controller; /* in controllers[] */
+    uint32_t usage; /* 0: the bits */
+    const char *usage_name;
+    int index, report, bit, bits;
+    int most;        /* what is full brightness; 0: all bits */
+    uint32_t button; /* the usage whose presses light it; 0: none */
+    const char *button_name;
+};
+
 enum binding_source { BINDING_TOUCH, BINDING_USAGE, BINDING_BUTTON, BINDING_ENCODER, BINDING_KEY, BINDING_SOURCES };
 enum binding_touch { TOUCH_PRESS, TOUCH_TAP, TOUCH_LONG, TOUCH_DRAG, TOUCH_TWO, TOUCH_PINCH };
 /* enum press_when, and: */
@@ -147,9 +159,11 @@ struct inputs {
     int keyboard_count, controller_count;
     struct inputs_lines buttons[INPUTS_LINES], encoders[INPUTS_LINES], lamps[INPUTS_LINES];
     int button_count, encoder_count, lamp_count;
+    struct inputs_glow glows[INPUTS_LINES]; /* lamps of controllers; their numbers follow those of lamps[] */
+    int glow_count;
     struct binding bindings[INPUTS_BINDINGS];
     int binding_count, written_count; /* those that the file itself has come first */
-    struct script *memory; /* texts and rasters */
+    struct script *memory;            /* texts and rasters */
 };
 
 /* Reads a file or a text. `session`: the script whose inks and grid it is for; NULL: inks by any name. NULL comes back

@@ -60,6 +60,7 @@ static void take(struct live_input *input, struct event *event)
     lamps_feel(&input->lamps, event);
     if (event->kind == EVENT_ARRIVED && sources_device(input->sources, event, &device)) {
         controls_introduce(input->controls, event->source, &device);
+        lamps_introduce(&input->lamps, event->source, &device);
     }
     if (!input->kiosk || kiosk_feel(input->kiosk, event, now_us())) {
         controls_feel(input->controls, event);

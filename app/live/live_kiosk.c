@@ -9,6 +9,8 @@
 #include "bench.h"
 #include "script_sheet.h"
 
+static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are left to others */
+
 static uint64_t now_us(void)
 {
     return (uint64_t)(1e6 * bench_wall_s());
@@ -83,8 +85,10 @@ static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit
     kiosk->gallery = NULL;
     if (kiosk->state && exhibit->gallery.folder) {
         snprintf(folder, sizeof folder, "%s/%s", kiosk->state, exhibit->gallery.folder);
-        kiosk->gallery = gallery_create(
-            &(struct gallery_def){folder, exhibit->gallery.pictures, (int64_t)exhibit->gallery.megabytes << 20});
+        kiosk->gallery = gallery_create(&(struct gallery_def){.folder = folder,
+                                                              .pictures = exhibit->gallery.pictures,
+                                                              .bytes = (int64_t)exhibit->gallery.megabytes << 20,
+                                                              .spare = SPARE_BYTES});
     }
     kiosk->status.gallery = kiosk->gallery;
 }
@@ -221,7 +225,8 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
-        gallery_keep(kiosk->gallery, rgb, width, height);
+        gallery_keep(kiosk->gallery, &(struct gallery_picture){
+                                         .rgb = rgb, .width = width, .height = height, .unix_s = (int64_t)time(NULL)});
     }
 }
 
@@ -251,12 +256,28 @@ bool live_kiosk_leaves(const struct live_kiosk *kiosk)
     return kiosk->kiosk && kiosk_leaves(kiosk->kiosk);
 }
 
+/* What the visit has come to, whenever that is another state than before. */
+static void note_visit(struct live_kiosk *kiosk)
+{
+    const char *state = kiosk_state(kiosk->kiosk);
+    if (state != kiosk->said) {
+        say(kiosk, "visit %u: %s", kiosk_visits(kiosk->kiosk), state);
+        kiosk->said = state;
+    } else if (kiosk_staff(kiosk->kiosk) != kiosk->status_said) {
+        kiosk->status_said = !kiosk->status_said;
+        say(kiosk, "staff: the status view is %s", kiosk->status_said ? "up" : "gone");
+    }
+}
+
 bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
 {
+    if (kiosk->kiosk && !kiosk->has_line) {
+        note_visit(kiosk);
+    }
     if (kiosk->has_line) {
         snprintf(line, (size_t)size, "%s", kiosk->line);
         kiosk->has_line = false;
         return true;
     }
-    return kiosk->gallery && gallery_log(kiosk->gallery, line, size);
+    return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);
 }

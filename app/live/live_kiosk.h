@@ -28,8 +28,10 @@ struct live_kiosk {
     struct live_input *input;
     struct live_input_def input_def;
     const char *state;
-    bool keep;  /* the next picture goes to the gallery */
-    bool other; /* another script is on its way to the picture */
+    bool keep;        /* the next picture goes to the gallery */
+    bool other;       /* another script is on its way to the picture */
+    const char *said; /* the state that was said last */
+    bool status_said;
     char line[1200];
     bool has_line;
 };

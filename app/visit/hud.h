@@ -47,7 +47,7 @@ struct hud_panel {
     int count;
     float x, y, width, height; /* pixels: the strip behind the buttons */
     int side;                  /* enum exhibit_side, where it is now */
-    bool labels;               /* there is room for words */
+    int labels;                /* lines of words that there is room for under each button, 0..2 */
     int lines;                 /* of buttons: columns of a strip that stands, rows of one at the bottom */
     int open;                  /* enum hud_kind of the group that is shown in place of the rest; -1: none */
     int tool, ink;             /* chosen */

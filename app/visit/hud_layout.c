@@ -7,6 +7,7 @@
 static const float REACH_LOW = 380, REACH_HIGH = 1220, REACH_ACROSS = 600; /* mm: ADA 308.2.1, 308.2.2, reversed */
 static const float LABELLED_SHARE = 0.18f, SHARE = 0.25f;                  /* of the zone, at most */
 static const float LABELLED_WIDEST = 30;                                   /* mm of a button */
+static const float LABELLED_NARROW = 23;                                   /* wider words take two lines */
 static const float GROUP_GAP = 2.5f;                                       /* mm more between groups */
 
 enum group { GROUP_INKS, GROUP_TOOLS, GROUP_DEEDS, GROUP_OTHERS };
@@ -24,7 +25,8 @@ struct bounds {
 
 /* How the buttons of a list are set. */
 struct grid {
-    bool labels, grouped;
+    bool labelled, grouped;
+    int labels;          /* lines of words */
     int lines, rows;     /* across, along the strip */
     float width, height; /* of a button */
     float gap, along;    /* gap; the strip's length without its padding */
@@ -162,20 +164,47 @@ static struct list list_open(const struct hud *hud, int panel)
     return list;
 }
 
-/* mm that a word takes, about: a guess by its letters, which needs no fonts. */
-static float guess_width(const char *text)
+/* mm that a character takes, about: a guess, which needs no fonts. 0 within a character. */
+static float guess_width(unsigned char c)
 {
-    float width = 0;
-    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-        if (*c < 0x80) {
-            width += 0.6f;
-        } else if (*c >= 0xe2) {
-            width += 1; /* Japanese and the like */
-        } else if (*c >= 0xc0) {
-            width += 0.6f;
+    return HUD_TEXT * (c == ' ' ? 0.3f : c < 0x80 ? 0.6f : c < 0xc0 ? 0 : c < 0xe2 ? 0.55f : 1.0f);
+}
+
+/* mm of a text in one line, and of the longer half where it is best broken in two: at a space, or anywhere between
+ * characters that have the width of a square. */
+static void guess_lines(const char *text, float *one, float *two)
+{
+    float all = 0, done = 0;
+    for (const char *c = text; *c; c++) {
+        all += guess_width((unsigned char)*c);
+    }
+    *one = *two = all;
+    for (const char *c = text; *c; c++) {
+        if (*c == ' ' || (c > text && (unsigned char)*c >= 0xe2)) {
+            *two = fminf(*two, fmaxf(done, all - done));
+        }
+        done += guess_width((unsigned char)*c);
+    }
+}
+
+/* How wide labelled buttons of a list are, mm, and how many lines of words they bear. */
+static float guess_labels(const struct hud *hud, const struct list *list, int *lines)
+{
+    float widest = 0;
+    *lines = 1;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int i = 0; i < list->count; i++) {
+            int language;
+            float one, two;
+            guess_lines(hud_label(hud, &list->buttons[i], &language), &one, &two);
+            if (pass == 0) {
+                widest = fmaxf(widest, one <= LABELLED_NARROW ? one : two);
+            } else if (one > widest) {
+                *lines = 2;
+            }
         }
     }
-    return width * HUD_TEXT;
+    return fminf(widest + 2, LABELLED_WIDEST);
 }
 
 static struct bounds cut(struct bounds a, struct bounds b)
@@ -266,14 +295,10 @@ static bool size_grid(const struct hud *hud, int panel, const struct list *list,
     int borders = 0;
     grid->gap = ceilf(HUD_GAP * mm);
     grid->width = grid->height = target;
-    if (grid->labels) {
-        float widest = 0;
-        for (int i = 0; i < list->count; i++) {
-            int language;
-            widest = fmaxf(widest, guess_width(hud_label(hud, &list->buttons[i], &language)));
-        }
-        grid->width = fmaxf(target, ceilf(fminf(widest + 2, LABELLED_WIDEST) * mm));
-        grid->height = target + ceilf(HUD_LABEL * mm);
+    grid->labels = 0;
+    if (grid->labelled) {
+        grid->width = fmaxf(target, ceilf(guess_labels(hud, list, &grid->labels) * mm));
+        grid->height = target + ceilf((HUD_LABEL + (float)(grid->labels - 1) * HUD_LINE) * mm);
     }
     grid->rows = count_rows(list, grid, &borders);
     float step = (lies ? grid->width : grid->height) + grid->gap;
@@ -346,7 +371,7 @@ static bool find_grid(const struct hud *hud, int panel, const struct list *list,
 {
     for (int line = 1; line <= lines; line++) {
         for (int grouped = 1; grouped >= 0; grouped--) {
-            *grid = (struct grid){.labels = labels, .grouped = grouped, .lines = line};
+            *grid = (struct grid){.labelled = labels, .grouped = grouped, .lines = line};
             if (size_grid(hud, panel, list, bounds, labels ? LABELLED_SHARE : SHARE, grid)) {
                 return true;
             }

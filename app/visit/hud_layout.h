@@ -8,6 +8,7 @@
 #define HUD_TARGET 15.0f /* the least side of a button */
 #define HUD_GAP    3.0f  /* between buttons */
 #define HUD_LABEL  6.5f  /* of a button, for a line of words under its picture */
+#define HUD_LINE   6.0f  /* for a second one */
 #define HUD_TEXT   5.0f  /* size of words: capitals of 3.5 and more */
 #define HUD_PAD    2.5f  /* from the buttons to the edge of the strip */
 #define HUD_EDGE   2.0f  /* from the strip to the edge of its zone */

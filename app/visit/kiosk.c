@@ -114,6 +114,7 @@ static void begin_wash(struct kiosk *kiosk)
 static void welcome(struct kiosk *kiosk)
 {
     hud_reset(&kiosk->hud);
+    access_rest(&kiosk->access);
     kiosk_layout(kiosk);
     if (kiosk->controls) {
         controls_reset(kiosk->controls);
@@ -290,7 +291,8 @@ static int sooner(int a, int b)
 int kiosk_timeout_ms(const struct kiosk *kiosk, uint64_t now_us, int most)
 {
     int ms = sooner(most, visit_timeout_ms(&kiosk->visit, now_us)), fade = hud_timeout_ms(&kiosk->hud, now_us);
-    ms = sooner(ms, fade == 0 ? FADE_MS : fade);
+    ms = sooner(ms, fade == 0 || access_moves(&kiosk->access) ? FADE_MS : fade);
+    ms = sooner(ms, access_timeout_ms(&kiosk->access, now_us));
     return sooner(ms, staff_timeout_ms(&kiosk->staff, now_us));
 }
 
@@ -341,6 +343,11 @@ const struct exhibit *kiosk_shows(const struct kiosk *kiosk)
 const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk)
 {
     return &kiosk->exhibit->scenes[kiosk->scene];
+}
+
+bool kiosk_staff(const struct kiosk *kiosk)
+{
+    return kiosk->hud.status;
 }
 
 bool kiosk_leaves(const struct kiosk *kiosk)

@@ -79,6 +79,8 @@ void kiosk_resize(struct kiosk *kiosk, int width, int height);
 
 const struct exhibit *kiosk_shows(const struct kiosk *kiosk);
 const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk);
+/* The staff's view is up. */
+bool kiosk_staff(const struct kiosk *kiosk);
 /* The staff wants to leave. */
 bool kiosk_leaves(const struct kiosk *kiosk);
 const char *kiosk_state(const struct kiosk *kiosk); /* "attract", "painting", ... */

@@ -3,6 +3,8 @@
 #include "kiosk_state.h"
 
 enum {
+    CURSORS = 16,
+    CURSOR_ID = 1 << 24,  /* beyond all fingers */
     SYNTHETIC_SLOT = 900, /* fingers of dwelling and of the switch: beyond all real slots */
 };
 
@@ -270,9 +272,25 @@ static void tap(struct kiosk *kiosk, float x, float y, uint64_t now_us)
     controls_feel(kiosk->controls, &event);
 }
 
+/* Points of controllers may dwell as well. */
+static void follow_cursors(struct kiosk *kiosk, uint64_t now_us)
+{
+    struct controls_cursor cursors[CURSORS];
+    int count = kiosk->controls ? controls_cursors(kiosk->controls, now_us, cursors, CURSORS) : 0;
+    for (int i = 0; i < count && i < CURSORS; i++) {
+        int id = CURSOR_ID + cursors[i].visitor;
+        if (cursors[i].used) {
+            access_point(&kiosk->access, id, cursors[i].at.x, cursors[i].at.y, now_us);
+        } else {
+            access_leave(&kiosk->access, id);
+        }
+    }
+}
+
 void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us)
 {
     struct access_result result;
+    follow_cursors(kiosk, now_us);
     while ((result = access_run(&kiosk->access, now_us)).what != ACCESS_NOTHING) {
         visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
         if (result.what == ACCESS_DROP) {

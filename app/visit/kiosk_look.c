@@ -4,11 +4,10 @@
 #include <string.h>
 
 #include "kiosk_state.h"
-bool hud_draw_line(const struct hud *hud, struct hud_image *image);bool hud_draw_hand(const struct hud *hud, float pressed, struct hud_image *image);
 
-enum { INVITE_US = 4000000, CURSORS = 8 };
+enum { INVITE_US = 5000000, CURSORS = 8 };
 
-static const float LINE_MM = 1.2f;
+static const float LINE_MM = 1.2f, DWELT_SHOWN = 0.15f;
 
 /* Puts a piece's image with its middle at x, y. */
 static void put_middle(struct kiosk *kiosk, int piece, float x, float y, float opacity)
@@ -16,6 +15,14 @@ static void put_middle(struct kiosk *kiosk, int piece, float x, float y, float o
     const struct hud_image *image = &kiosk->images[piece];
     kiosk->pieces.piece[piece] = (struct kiosk_piece){
         image, roundf(x - 0.5f * (float)image->width), roundf(y - 0.5f * (float)image->height), 0, 0, opacity};
+}
+
+/* Puts a piece's image where it belongs. */
+static void put(struct kiosk *kiosk, int piece, float opacity)
+{
+    const struct hud_image *image = &kiosk->images[piece];
+    kiosk->pieces.piece[piece] =
+        (struct kiosk_piece){image, (float)image->x, (float)image->y, 0, 0, image->rgba ? opacity : 0};
 }
 
 static void look_at_panels(struct kiosk *kiosk, uint64_t now_us)
@@ -26,9 +33,8 @@ static void look_at_panels(struct kiosk *kiosk, uint64_t now_us)
         if (panel->side == SIDE_OF_NONE || panel->count == 0 || opacity <= 0) {
             continue;
         }
-        struct hud_image *image = &kiosk->images[PIECE_PANEL + i];
-        hud_draw_panel(&kiosk->hud, i, image);
-        kiosk->pieces.piece[PIECE_PANEL + i] = (struct kiosk_piece){image, panel->x, panel->y, 0, 0, opacity};
+        hud_draw_panel(&kiosk->hud, i, &kiosk->images[LOOK_PANEL + i]);
+        put(kiosk, LOOK_PANEL + i, opacity);
     }
 }
 
@@ -40,9 +46,26 @@ static void look_at_cursors(struct kiosk *kiosk, uint64_t now_us)
         if (!cursors[i].used) {
             continue;
         }
-        hud_draw_cursor(&kiosk->hud, cursors[i].ink, 0, &kiosk->images[PIECE_CURSOR + i]);
-        put_middle(kiosk, PIECE_CURSOR + i, cursors[i].at.x * (float)kiosk->def.width,
+        hud_draw_cursor(&kiosk->hud, cursors[i].ink, 0, &kiosk->images[LOOK_CURSOR + i]);
+        put_middle(kiosk, LOOK_CURSOR + i, cursors[i].at.x * (float)kiosk->def.width,
                    cursors[i].at.y * (float)kiosk->def.height, 1);
+    }
+}
+
+/* Rings of fingers that dwell. */
+static void look_at_dwelling(struct kiosk *kiosk, uint64_t now_us)
+{
+    int piece = LOOK_CURSOR + CURSORS;
+    for (int i = 0; i < ACCESS_POINTS && piece > LOOK_CURSOR; i++) {
+        const struct access_point *point = &kiosk->access.points[i];
+        float share = point->used ? access_dwelt(&kiosk->access, point->id, now_us) : 0;
+        if (share <= DWELT_SHOWN) {
+            continue;
+        }
+        int seat = hud_seat(&kiosk->hud, point->x, point->y);
+        piece--;
+        hud_draw_cursor(&kiosk->hud, kiosk->hud.panels[seat].ink, share, &kiosk->images[piece]);
+        put_middle(kiosk, piece, point->x * (float)kiosk->def.width, point->y * (float)kiosk->def.height, 1);
     }
 }
 
@@ -62,10 +85,10 @@ static void look_at_access(struct kiosk *kiosk)
 {
     const struct access *access = &kiosk->access;
     if (access->state == ACCESS_ACROSS || access->state == ACCESS_DOWN) {
-        put_line(kiosk, PIECE_ACROSS, true, access->x);
+        put_line(kiosk, LOOK_ACROSS, true, access->x);
     }
     if (access->state == ACCESS_DOWN) {
-        put_line(kiosk, PIECE_DOWN, false, access->y);
+        put_line(kiosk, LOOK_DOWN, false, access->y);
     }
 }
 
@@ -75,34 +98,31 @@ static void look_at_attract(struct kiosk *kiosk, uint64_t now_us)
     float pressed;
     int64_t tick = kiosk->def.stage.sheet(kiosk->def.stage.context).tick;
     int phase = (int)(now_us % INVITE_US * HUD_PHASES / INVITE_US);
-    hud_draw_invite(&kiosk->hud, phase, &kiosk->images[PIECE_INVITE]);
-    put_middle(kiosk, PIECE_INVITE, 0.5f * (float)kiosk->def.width,
-               (float)kiosk->def.height - 0.62f * (float)kiosk->images[PIECE_INVITE].height, 1);
+    hud_draw_invite(&kiosk->hud, phase, &kiosk->images[LOOK_INVITE]);
+    put(kiosk, LOOK_INVITE, 1);
     if (kiosk->begun && !kiosk->washing && attract_hand(kiosk->attract, tick, &at, &pressed)) {
-        hud_draw_hand(&kiosk->hud, pressed, &kiosk->images[PIECE_HAND]);
-        put_middle(kiosk, PIECE_HAND, at.x * (float)kiosk->def.width, at.y * (float)kiosk->def.height, 1);
+        hud_draw_hand(&kiosk->hud, pressed, &kiosk->images[LOOK_HAND]);
+        put_middle(kiosk, LOOK_HAND, at.x * (float)kiosk->def.width, at.y * (float)kiosk->def.height, 1);
     }
 }
 
 static void look_at_sentence(struct kiosk *kiosk, enum exhibit_text text)
 {
-    hud_draw_sentence(&kiosk->hud, text, &kiosk->images[PIECE_SENTENCE]);
-    put_middle(kiosk, PIECE_SENTENCE, 0.5f * (float)kiosk->def.width, 0.86f * (float)kiosk->def.height, 1);
+    hud_draw_sentence(&kiosk->hud, text, &kiosk->images[LOOK_SENTENCE]);
+    put(kiosk, LOOK_SENTENCE, 1);
 }
 
 static void look_at_countdown(struct kiosk *kiosk, uint64_t now_us)
 {
     hud_draw_countdown(&kiosk->hud, visit_countdown(&kiosk->visit, now_us), visit_left(&kiosk->visit, now_us),
-                       &kiosk->images[PIECE_COUNTDOWN]);
-    put_middle(kiosk, PIECE_COUNTDOWN, 0.5f * (float)kiosk->def.width, 0.5f * (float)kiosk->def.height, 1);
+                       &kiosk->images[LOOK_COUNTDOWN]);
+    put(kiosk, LOOK_COUNTDOWN, 1);
 }
 
 static void look_at_status(struct kiosk *kiosk)
 {
-    struct hud_image *image = &kiosk->images[PIECE_STATUS];
-    struct hud_button buttons[2];
-    hud_draw_status(&kiosk->hud, kiosk->lines, image, buttons);
-    put_middle(kiosk, PIECE_STATUS, 0.5f * (float)kiosk->def.width, 0.5f * (float)kiosk->def.height, 1);
+    hud_draw_status(&kiosk->hud, kiosk->lines, &kiosk->images[LOOK_STATUS]);
+    put(kiosk, LOOK_STATUS, 1);
 }
 
 static bool same(const struct kiosk_piece *a, const struct kiosk_piece *b)
@@ -126,6 +146,7 @@ const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
     memset(&kiosk->pieces, 0, sizeof kiosk->pieces);
     look_at_panels(kiosk, now_us);
     look_at_cursors(kiosk, now_us);
+    look_at_dwelling(kiosk, now_us);
     look_at_access(kiosk);
     if (kiosk->visit.state == VISIT_ATTRACT) {
         look_at_attract(kiosk, now_us);
@@ -140,8 +161,8 @@ const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
         look_at_status(kiosk);
     }
     if (kiosk->trouble) {
-        hud_draw_mark(&kiosk->hud, &kiosk->images[PIECE_MARK]);
-        kiosk->pieces.piece[PIECE_MARK] = (struct kiosk_piece){.image = &kiosk->images[PIECE_MARK], .opacity = 1};
+        hud_draw_mark(&kiosk->hud, &kiosk->images[LOOK_MARK]);
+        put(kiosk, LOOK_MARK, 1);
     }
     for (int i = 0; i < KIOSK_PIECES; i++) {
         bool seen = kiosk->pieces.piece[i].opacity > 0;

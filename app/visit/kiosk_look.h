@@ -9,16 +9,16 @@
 #include "hud_draw.h"
 
 enum {
-    PIECE_PANEL, /* + seat */
-    PIECE_CURSOR = PIECE_PANEL + EXHIBIT_SEATS,
-    PIECE_ACROSS = PIECE_CURSOR + 8, /* lines of one-switch play */
-    PIECE_DOWN,
-    PIECE_HAND, /* that paints in attract */
-    PIECE_INVITE,
-    PIECE_SENTENCE,
-    PIECE_COUNTDOWN,
-    PIECE_STATUS,
-    PIECE_MARK,
+    LOOK_PANEL, /* + seat */
+    LOOK_CURSOR = LOOK_PANEL + EXHIBIT_SEATS,
+    LOOK_ACROSS = LOOK_CURSOR + 8, /* lines of one-switch play */
+    LOOK_DOWN,
+    LOOK_HAND, /* that paints in attract */
+    LOOK_INVITE,
+    LOOK_SENTENCE,
+    LOOK_COUNTDOWN,
+    LOOK_STATUS,
+    LOOK_MARK,
     KIOSK_PIECES,
 };
 

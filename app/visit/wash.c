@@ -60,12 +60,14 @@ bool wash_action(struct wash *wash, int64_t tick, struct action *action)
     }
     int64_t end = wash->start + wash->ticks, next = wash->last + leap_ticks(wash);
     next = wash->last < wash->start ? wash->start : next < tick ? next : tick;
+    next = next >= end && wash->last < end - 1 ? end - 1 : next; /* the front goes all of its way */
     if (next >= end) {
         wash->last = end;
         wash->running = false;
         *action = action_default(ACTION_CLEAR);
         return true;
     }
+    float strength = 25.0f * (float)(next - wash->last) / (float)wash->ticks;
     wash->last = next;
     place_front(wash, (float)(next - wash->start + 1) / (float)wash->ticks);
     *action = action_default(ACTION_RINSE);
@@ -73,7 +75,6 @@ bool wash_action(struct wash *wash, int64_t tick, struct action *action)
     action->path = (struct action_path){wash->points, WASH_POINTS};
     action->reach = REACH;
     action->vary = RAGGED;
-    float strength = 25.0f / (float)wash->ticks;
     action->strength = strength < 1.0f ? strength : 1.0f;
     return true;
 }

@@ -375,6 +375,46 @@ static void lamps_light_and_breathe(void **state)
     close_place(&place);
 }
 
+static void lamps_of_controllers_light_for_their_own(void **state)
+{
+    (void)state;
+    struct place place = open_place("controllers:\n"
+                                    "  - {id: board, vendor: 1, name: board, lamps: [\n"
+                                    "      {id: a, usage: 'LED: Power', button: Button 1},\n"
+                                    "      {id: b, bit: 8, bits: 8, most: 100, button: Button 2}]}\n"
+                                    "  - {id: pad, name: pad, lamps: [{id: c, bit: 0, button: Button 1}]}\n"
+                                    "gpio: {lamps: [{id: l, line: A}]}\n");
+    const struct inputs_glow *glow = &place.inputs->glows[1];
+    assert_true(place.inputs->glow_count == 3 && glow->controller == 0 && !glow->usage && glow->most == 100);
+    struct lamps lamps = {.inputs = place.inputs};
+    struct event event = {.kind = EVENT_CONTROL, .source = SOURCE_HID, .device = 5, .value = 1, .time_us = 100000000};
+    int lamp;
+    float level;
+    event.control = BUTTON_1;
+    lamps_feel(&lamps, &event);
+    assert_false(lamps_next(&lamps, event.time_us, &lamp, &level)); /* nobody has said who that is */
+    lamps_introduce(&lamps, SOURCE_HID, &(struct device){.id = 5, .vendor = 1, .name = "Board"});
+    lamps_introduce(&lamps, SOURCE_HID, &(struct device){.id = 6, .vendor = 1, .name = "Pad"});
+    lamps_feel(&lamps, &event);
+    assert_true(lamps_next(&lamps, event.time_us, &lamp, &level) && lamp == 1 && level == 1.0f);
+    assert_false(lamps_next(&lamps, event.time_us, &lamp, &level)); /* that of the pad has another Button 1 */
+    event.device = 6;
+    lamps_feel(&lamps, &event);
+    assert_true(lamps_next(&lamps, event.time_us, &lamp, &level) && lamp == 3 && level == 1.0f);
+    event = (struct event){.kind = EVENT_LEFT, .source = SOURCE_HID, .device = 5, .time_us = event.time_us};
+    lamps_feel(&lamps, &event);
+    assert_true(lamps_next(&lamps, event.time_us, &lamp, &level) && lamp == 1 && level == 0.0f);
+    lamps_introduce(&lamps, SOURCE_HID, &(struct device){.id = 6, .vendor = 1, .name = "Pad"}); /* back, and dark */
+    assert_true(lamps_next(&lamps, event.time_us, &lamp, &level) && lamp == 3 && level == 1.0f);
+    assert_false(lamps_next(&lamps, event.time_us, &lamp, &level));
+    int told[4] = {0};
+    while (lamps_next(&lamps, event.time_us + 1000000 * LAMPS_IDLE_S + 4000 * MS, &lamp, &level)) {
+        told[lamp]++;
+    }
+    assert_true(told[0] == 1 && told[1] == 1 && told[2] == 1 && told[3] == 0); /* all breathe but the pressed one */
+    close_place(&place);
+}
+
 static void more_than_anybody_can_do_is_dropped_and_counted(void **state)
 {
     (void)state;
@@ -407,6 +447,7 @@ int main(void)
         cmocka_unit_test(axes_and_hats_can_be_buttons),
         cmocka_unit_test(a_binding_hears_its_controller_alone),
         cmocka_unit_test(lamps_light_and_breathe),
+        cmocka_unit_test(lamps_of_controllers_light_for_their_own),
         cmocka_unit_test(more_than_anybody_can_do_is_dropped_and_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -125,6 +125,16 @@ static void a_seat_paints_in_the_ink_that_it_has_chosen(void **state)
     tap(&place, 0.1f, 0.5f);
     assert_drop(&place, 1, 0);
     close_place(&place);
+    place = open_table("bindings: [{touch: drag, draw: {ink: carbon black}}]\n");
+    place.inputs->bindings[0].action.ink = INKS + 1; /* as read for a scene with more inks than this one */
+    for (int seat = 0; seat < 2; seat++) {
+        float x = seat == 0 ? 0.1f : 0.9f;
+        finger(&place, EVENT_DOWN, 0, x, 0.4f);
+        finger(&place, EVENT_MOVE, 0, x, 0.6f);
+        finger(&place, EVENT_UP, 0, x, 0.6f);
+        assert_true(take(&place) && place.action.ink == (seat == 0 ? 1 : 2)); /* her own, always */
+    }
+    close_place(&place);
     place = open_place("visitors: shared\nbindings: [{touch: press, drop: {}}, {usage: Button 1, drop: {}}]\n");
     controls_set_ink(place.controls, 0, 2);
     control(&place, SOURCE_HID, 1, BUTTON(1), 1);
@@ -132,6 +142,13 @@ static void a_seat_paints_in_the_ink_that_it_has_chosen(void **state)
     controls_set_ink(place.controls, 0, -1);
     tap(&place, 0.5f, 0.5f);
     assert_drop(&place, 1, 2);
+    close_place(&place);
+    place = open_table("visitors: shared\nbindings: [{touch: press, next_ink: {}}]\n");
+    controls_set_ink(place.controls, 0, 1);
+    tap(&place, 0.9f, 0.5f); /* hers is not that of all */
+    assert_int_equal(controls_ink(place.controls, 0), 1);
+    tap(&place, 0.1f, 0.5f);
+    assert_int_equal(controls_ink(place.controls, 0), 2);
     close_place(&place);
 }
 
@@ -242,6 +259,11 @@ static void fingers_of_two_seats_are_never_of_one_hand(void **state)
     assert_false(take(&place));
     finger(&place, EVENT_MOVE, 2, 0.5f, 0.5f);
     assert_true(take(&place) && place.action.verb == ACTION_CLEAR && place.action.visitor == 2);
+    while (take(&place)) {
+        assert_int_equal(place.action.verb, ACTION_CLEAR);
+    }
+    finger(&place, EVENT_DOWN, 3, 0.5f, 0.1f);
+    assert_drop(&place, 1, 2); /* on the edge between two: the first */
     close_place(&place);
 }
 

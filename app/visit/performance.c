@@ -1,0 +1,155 @@
+#include "performance.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool performance_init(struct performance *performance, int room)
+{
+    *performance = (struct performance){.room = room};
+    performance->steps = calloc((size_t)room, sizeof *performance->steps);
+    return performance->steps != NULL;
+}
+
+void performance_finish(struct performance *performance)
+{
+    free(performance->steps);
+    *performance = (struct performance){0};
+}
+
+void performance_clear(struct performance *performance, int64_t ticks)
+{
+    performance->count = 0;
+    performance->ticks = ticks;
+}
+
+bool performance_add(struct performance *performance, const struct action *action, int press_ticks)
+{
+    if (performance->count == performance->room) {
+        return false;
+    }
+    struct performance_step *step = &performance->steps[performance->count];
+    *step = (struct performance_step){.action = *action, .number = performance->count++};
+    step->press = press_ticks < 0 ? -1 : action->tick - press_ticks;
+    int count = action->path.count;
+    int kept = count < STUDIO_PATH ? count : STUDIO_PATH;
+    for (int i = 0; i < kept; i++) {
+        int from = kept > 1 ? (int)((int64_t)i * (count - 1) / (kept - 1)) : 0;
+        step->points[i] = action->path.points[from];
+    }
+    step->action.path.count = kept;
+    return true;
+}
+
+static int by_tick(const void *a, const void *b)
+{
+    const struct performance_step *one = a, *other = b;
+    if (one->action.tick != other->action.tick) {
+        return one->action.tick < other->action.tick ? -1 : 1;
+    }
+    return one->number - other->number;
+}
+
+void performance_sort(struct performance *performance)
+{
+    qsort(performance->steps, (size_t)performance->count, sizeof performance->steps[0], by_tick);
+    for (int i = 0; i < performance->count; i++) {
+        struct performance_step *step = &performance->steps[i];
+        step->action.path.points = step->action.path.count > 0 ? step->points : NULL;
+    }
+}
+
+static bool by_hand(const struct performance_step *step)
+{
+    return step->press >= 0 && (step->action.has_at || step->action.path.count > 0);
+}
+
+static struct point first_of(const struct performance_step *step)
+{
+    return step->action.path.count > 0 ? step->points[0] : step->action.at;
+}
+
+static struct point last_of(const struct performance_step *step)
+{
+    return step->action.path.count > 0 ? step->points[step->action.path.count - 1] : step->action.at;
+}
+
+static struct point between(struct point from, struct point to, float share)
+{
+    return (struct point){from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+}
+
+/* 0..1, slowly at both ends. */
+static float eased(float share)
+{
+    share = fminf(fmaxf(share, 0.0f), 1.0f);
+    return share * share * (3.0f - 2.0f * share);
+}
+
+bool performance_hand(const struct performance *performance, int next, int64_t tick, int glide, struct point *at,
+                      float *pressed)
+{
+    const struct performance_step *before = NULL, *after = NULL;
+    for (int i = next - 1; i >= 0 && !before; i--) {
+        before = by_hand(&performance->steps[i]) ? &performance->steps[i] : NULL;
+    }
+    for (int i = next; i < performance->count && !after; i++) {
+        after = by_hand(&performance->steps[i]) ? &performance->steps[i] : NULL;
+    }
+    *pressed = 0;
+    if (after && tick >= after->press) { /* painting */
+        float whole = (float)(after->action.tick - after->press);
+        *at = between(first_of(after), last_of(after), whole > 0 ? (float)(tick - after->press) / whole : 1);
+        *pressed = 1;
+        return true;
+    }
+    int64_t left = before ? tick - before->action.tick : INT64_MAX; /* since it rose */
+    int64_t comes = after ? after->press - tick : INT64_MAX;
+    if (left >= glide && comes >= glide) {
+        return false;
+    }
+    float rising = left < glide / 3 ? 1 - (float)left / (float)(glide / 3) : 0;
+    float falling = comes < glide / 3 ? 1 - (float)comes / (float)(glide / 3) : 0;
+    *pressed = fmaxf(rising, falling);
+    if (before && after && after->press - before->action.tick < 2 * (int64_t)glide) { /* from one to the next */
+        float way = (float)left / (float)(left + comes);
+        *at = between(last_of(before), first_of(after), eased(way));
+    } else if (comes < glide) {
+        struct point place = first_of(after);
+        *at = between((struct point){place.x + 0.05f, place.y + 0.12f}, place, eased(1 - (float)comes / (float)glide));
+    } else {
+        struct point place = last_of(before);
+        *at = between(place, (struct point){place.x + 0.05f, place.y + 0.12f}, eased((float)left / (float)glide));
+    }
+    return true;
+}
+
+static uint64_t hashed(uint64_t hash, uint64_t value)
+{
+    hash = (hash ^ value) * 0x9fb21c651e98df25u;
+    return hash ^ hash >> 32;
+}
+
+static uint64_t hashed_number(uint64_t hash, float number)
+{
+    uint32_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    return hashed(hash, bits);
+}
+
+uint64_t performance_fingerprint(const struct performance *performance)
+{
+    uint64_t hash = hashed(1, (uint64_t)performance->ticks);
+    for (int i = 0; i < performance->count; i++) {
+        const struct action *action = &performance->steps[i].action;
+        hash = hashed(hash, (uint64_t)action->tick);
+        hash = hashed(hash, (uint64_t)action->verb << 32 | (uint32_t)action->ink << 16 | (uint16_t)action->brush);
+        hash = hashed_number(hashed_number(hash, action->at.x), action->at.y);
+        hash = hashed_number(hashed_number(hash, action->radius), action->amount);
+        for (int j = 0; j < action->path.count; j++) {
+            const struct point *point = &performance->steps[i].points[j];
+            hash = hashed_number(hashed_number(hash, point->x), point->y);
+        }
+    }
+    return hash;
+}
