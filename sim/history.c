@@ -58,6 +58,12 @@ void history_destroy(struct history *history)
     free(history);
 }
 
+bool history_fits(const struct history *history, const struct painting_def *painting)
+{
+    const struct painting_def *own = &history->painting;
+    return own->width == painting->width && own->height == painting->height && own->margin == painting->margin;
+}
+
 void history_forget(struct history *history)
 {
     for (int i = 0; i < HISTORY_GROUPS; i++) {
@@ -86,6 +92,7 @@ static void follow(struct history *history, struct engine *engine)
         history->cursor = 0;
         history->begun = true;
         history->start = tick;
+        history->kept_tick = tick - 1;
         history->next_round = tick + history->def.interval;
     }
     history->tick = tick;
@@ -156,6 +163,10 @@ static int keep_run(struct history *history, struct engine *engine, int most, ui
 void history_tick(struct history *history, struct engine *engine)
 {
     follow(history, engine);
+    if (history->kept_tick == history->tick) {
+        return;
+    }
+    history->kept_tick = history->tick;
     int tiles = history->columns * history->rows, left = history->def.tiles_a_tick;
     if (history->cursor >= tiles && history->tick >= history->next_round) {
         engine->ops->changed(engine, history->pending);

@@ -35,11 +35,13 @@ struct history;
 /* For sheets of this size. NULL when memory is short or `bytes` are too few for it. */
 struct history *history_create(const struct history_def *def, const struct painting_def *painting);
 void history_destroy(struct history *history); /* takes NULL */
+/* Whether it is for sheets of this size. */
+bool history_fits(const struct history *history, const struct painting_def *painting);
 
 /* Does an action now: undo, redo and rewind itself, all else by the engine. What undo and redo have no group for, and
  * what a lost GPU does not answer, does nothing. */
 void history_act(struct history *history, struct engine *engine, const struct action *action);
-/* Before a tick of the engine. */
+/* Before a tick of the engine; a second time before the same tick it does nothing. */
 void history_tick(struct history *history, struct engine *engine);
 /* Nothing can be undone any more: after the engine has loaded a checkpoint, or is another. */
 void history_forget(struct history *history);

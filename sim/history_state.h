@@ -63,7 +63,8 @@ struct history {
     bool begun;         /* since history_forget */
     int64_t start;      /* tick of moment 0 */
     int64_t tick, next_round;
-    uint32_t moment; /* the last that was given away */
+    int64_t kept_tick; /* at which tiles were kept last: once a tick */
+    uint32_t moment;   /* the last that was given away */
     uint32_t next_group;
     struct group groups[HISTORY_GROUPS]; /* a ring: number id % HISTORY_GROUPS */
     struct mark marks[HISTORY_MARKS];    /* by moment */

@@ -62,7 +62,7 @@ static struct kiosk_sheet stage_sheet(void *context)
 {
     struct live_kiosk *kiosk = context;
     struct studio_report report = studio_report(kiosk->status.studio);
-    return (struct kiosk_sheet){report.sessions, report.ticks, 0, 0};
+    return (struct kiosk_sheet){report.sessions, report.ticks, report.can_undo, report.can_redo};
 }
 
 static void stage_status(void *context, char *lines, size_t size)

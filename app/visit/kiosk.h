@@ -26,7 +26,7 @@
 struct kiosk_sheet {
     int number;                  /* counts fresh sheets */
     int64_t tick;                /* since it was fresh */
-    uint32_t can_undo, can_redo; /* bit v: visitor v */
+    uint64_t can_undo, can_redo; /* bit v: visitor v */
 };
 
 /* Whoever paints, shows and keeps. All of it is called from kiosk_create, _feel, _wish, _run and _exhibit. */
