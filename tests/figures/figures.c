@@ -34,6 +34,7 @@ static const struct figure_group GROUPS[] = {
     {"margin", "growth over the edge of the sheet", figure_margin},
     {"rest", "a finished painting comes to rest", figure_rest},
     {"wash", "water washes a sheet", figure_wash},
+    {"vision", "palettes for colour-blind eyes", figure_vision},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };
