@@ -211,6 +211,11 @@ struct action action_default(enum action_verb verb)
     return action;
 }
 
+static float legal_flow(float flow)
+{
+    return flow >= -1.0f && flow <= 1.0f ? flow : flow > 1.0f ? 1.0f : flow < -1.0f ? -1.0f : 0.0f;
+}
+
 static float legal_position(float position)
 {
     return position >= 0.0f && position <= 1.0f ? position : position > 1.0f ? 1.0f : 0.0f;
@@ -231,6 +236,8 @@ struct action action_legal(const struct action *action)
     }
     legal.at.x = legal_position(legal.at.x);
     legal.at.y = legal_position(legal.at.y);
+    legal.flow.x = legal_flow(legal.flow.x);
+    legal.flow.y = legal_flow(legal.flow.y);
     legal.ink = legal.ink < 0 || legal.ink >= INKS ? 0 : legal.ink;
     for (int i = 0; legal.brush != BRUSH_NONE && i <= legal.brush; i++) {
         if (legal.brush < 0 || !brushes[i].name) {

@@ -5,13 +5,14 @@
 
 #include "noise.h"
 
-#define SLACK 0.1f
-#define PAST   1.3f /* phase beyond which nothing is done any more */
+#define FARTHEST 2.0f /* sheets that a front may lie beyond one: the range of its key */
+#define SLACK    0.1f /* phase that differs from place to place of the lattice, about */
+#define PAST     1.3f /* phase beyond which nothing is done any more */
 
 static float clamp(float value, float least, float most)
 {
-    value = value < least ? least : value;
-    return value > most ? most : value;
+    value = value >= least ? value : least; /* NaN becomes the least */
+    return value <= most ? value : most;
 }
 
 static float smooth(float from, float to, float value)
@@ -28,10 +29,11 @@ static struct point turned(const struct rinse *rinse, float x, float y)
 
 static void take_front(struct rinse *rinse, const struct action_path *path)
 {
+    float width = (float)rinse->def->width, height = (float)rinse->def->height;
     rinse->count = path->count < RINSE_POINTS ? path->count : RINSE_POINTS;
     for (int i = 0; i < rinse->count; i++) {
-        struct point point =
-            turned(rinse, path->points[i].x * (float)rinse->def->width, path->points[i].y * (float)rinse->def->height);
+        struct point point = turned(rinse, clamp(path->points[i].x, -FARTHEST, 1.0f + FARTHEST) * width,
+                                    clamp(path->points[i].y, -FARTHEST, 1.0f + FARTHEST) * height);
         int at = i;
         for (; at > 0 && rinse->front[at - 1].x > point.x; at--) {
             rinse->front[at] = rinse->front[at - 1];

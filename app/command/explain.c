@@ -9,6 +9,7 @@
 #include "inputs.h"
 #include "script.h"
 #include "script_value.h"
+#include "vision.h"
 
 struct explaining {
     const char *asked; /* NULL: everything */
@@ -126,6 +127,25 @@ static void explain_name(struct explaining *explaining, const char *place, const
     }
 }
 
+static void describe_palette(const struct palette *palette, char *text, size_t size)
+{
+    int inks_of[INK_PALETTE], used = 0;
+    for (int i = 0; i < INK_PALETTE; i++) {
+        inks_of[i] = ink_find(palette->inks[i]);
+    }
+    used += snprintf(text, size, "%s (%s, %s, %s, %s)\n      ", palette->meaning, palette->inks[0], palette->inks[1],
+                     palette->inks[2], palette->inks[3]);
+    if (palette->safe) {
+        used += snprintf(text + used, size - (size_t)used, "Safe for colour-blind eyes%s. ",
+                         palette->grey ? ", and told apart in grey" : "");
+    }
+    used += snprintf(text + used, size - (size_t)used, "Nearest two inks, CIEDE2000:");
+    for (enum vision vision = VISION_USUAL; vision < VISIONS; vision++) {
+        used += snprintf(text + used, size - (size_t)used, " %s %.0f%s", vision_name(vision),
+                         (double)vision_between(vision, inks_of, VISION_INKED), vision == VISION_GREY ? "." : ",");
+    }
+}
+
 static void explain_names(struct explaining *explaining)
 {
     explaining->heading = "brushes";
@@ -139,10 +159,8 @@ static void explain_names(struct explaining *explaining)
     }
     explaining->heading = "palettes";
     for (int i = 0; palettes[i].name; i++) {
-        char meaning[256];
-        const char *const *four = palettes[i].inks;
-        snprintf(meaning, sizeof meaning, "%s (%s, %s, %s, %s)", palettes[i].meaning, four[0], four[1], four[2],
-                 four[3]);
+        char meaning[512];
+        describe_palette(&palettes[i], meaning, sizeof meaning);
         explain_name(explaining, "palettes", "Four inks at once.", palettes[i].name, meaning);
     }
 }

@@ -203,6 +203,12 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     if (verb == ACTION_MASK && !at && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
     }
+    if (verb == ACTION_RINSE && !at && !path && !parameters->bound) {
+        reader_problem(reader, node, "no place is given; at or a path");
+    }
+    if (verb == ACTION_RINSE && at && path) {
+        reader_problem(reader, node, "both at and a path; one of them");
+    }
     if (verb == ACTION_SET && parameters->coefficient) {
         if (!yaml_get(node, "value")) {
             missing(reader, node, "value", parameters->coefficient);
