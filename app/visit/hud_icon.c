@@ -399,6 +399,9 @@ void hud_icon_finger(const struct pen *pen, double x, double y, double size, con
         {0.4, 0.86, 0.38, 0.68, 0.22}, {0.54, 0.92, 0.53, 0.76, 0.2}, {0.08, 1.12, -0.26, 0.8, 0.22},
         {0.34, 1.2, 0.4, 1.55, 0.5},
     };
+    cairo_save(pen->cairo);
+    cairo_rectangle(pen->cairo, x - size, y - size, 3 * size, 3 * size);
+    cairo_clip(pen->cairo);
     cairo_push_group(pen->cairo);
     cairo_save(pen->cairo);
     cairo_translate(pen->cairo, x, y);
@@ -413,4 +416,5 @@ void hud_icon_finger(const struct pen *pen, double x, double y, double size, con
     cairo_restore(pen->cairo);
     cairo_pop_group_to_source(pen->cairo);
     cairo_paint_with_alpha(pen->cairo, alpha);
+    cairo_restore(pen->cairo);
 }

@@ -38,7 +38,7 @@ static void check_panel(const struct hud *hud, const struct hud_screen *screen, 
         assert_true(button->x >= of->x && button->x + button->width <= of->x + of->width);
         assert_true(button->y >= of->y && button->y + button->height <= of->y + of->height);
         for (int k = 0; k < i; k++) {
-            assert_false(touching(button, &of->buttons[k], HUD_GAP * mm - few));
+            assert_false(touching(button, &of->buttons[k], 3 * mm - few));
         }
         /* By the rows of pixels that a screen of that height has. */
         float low = (high - button->y - button->height) / mm, top = (high - button->y) / mm;
@@ -371,7 +371,7 @@ static void the_staff_have_two_large_buttons(void **state)
         struct hud_def def = hud_case_def(&place, &hud_screens[i]);
         hud_init(&hud, &def);
         assert_true(hud.staff[0].kind == HUD_BACK && hud.staff[1].kind == HUD_EXIT);
-        assert_false(touching(&hud.staff[0], &hud.staff[1], HUD_GAP * hud.mm));
+        assert_false(touching(&hud.staff[0], &hud.staff[1], 3 * hud.mm));
         for (int k = 0; k < 2; k++) {
             const struct hud_button *button = &hud.staff[k];
             assert_true(button->width >= 30 * hud.mm && button->height >= 15 * hud.mm && button->x >= 0);
