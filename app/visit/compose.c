@@ -52,10 +52,18 @@ static struct point place(const struct composer *composer, float x, float y)
     return (struct point){fminf(fmaxf(x / w, 0.0f), 1.0f), fminf(fmaxf(y / h, 0.0f), 1.0f)};
 }
 
-static void post(struct composer *composer, struct action *action, int64_t tick, int press)
+/* What there is no room for in the performance is left out: NULL. */
+static struct performance_step *post(struct composer *composer, struct action *action, int64_t tick, int press)
 {
     action->tick = tick < 0 ? 0 : tick;
-    performance_add(composer->performance, action, press);
+    return performance_add(composer->performance, action, press);
+}
+
+static void spare(struct performance_step *step)
+{
+    if (step) {
+        step->spare = true;
+    }
 }
 
 static float share_of_size(const struct bloom *bloom)
@@ -92,7 +100,8 @@ static void post_end(struct composer *composer, const struct bloom *bloom, int64
     post(composer, &set, tick, -1);
 }
 
-static void post_ink(struct composer *composer, const struct bloom *bloom, int ink, float share, int64_t tick)
+static struct performance_step *post_ink(struct composer *composer, const struct bloom *bloom, int ink, float share,
+                                         int64_t tick)
 {
     struct point at = place(composer, bloom->x, bloom->y);
     struct action stroke = action_default(ACTION_BRUSH_INK);
@@ -101,17 +110,22 @@ static void post_ink(struct composer *composer, const struct bloom *bloom, int i
     stroke.radius = fminf(fmaxf(0.1f * bloom->r, 6), 13);
     float discs = bloom->r / stroke.radius * (bloom->r / stroke.radius);
     stroke.amount = 0.62f * share * discs;
-    post(composer, &stroke, tick, (int)seconds(composer, 0.25f));
+    return post(composer, &stroke, tick, (int)seconds(composer, 0.25f));
 }
 
 /* A stroke in pieces, as a hand makes it. */
 static void post_stroke(struct composer *composer, struct action *stroke, const struct point *points, int count,
                         int64_t tick, int64_t takes)
 {
+    int gesture = composer->performance->count;
     for (int i = 0; i + 1 < count; i++) {
         stroke->path = (struct action_path){&points[i], 2};
         int64_t piece = takes / (count - 1);
-        post(composer, stroke, tick + piece * i, (int)piece);
+        struct performance_step *step = post(composer, stroke, tick + piece * i, (int)piece);
+        spare(step);
+        if (step) {
+            step->gesture = gesture;
+        }
     }
 }
 
@@ -180,7 +194,7 @@ static void post_bloom(struct composer *composer, int i)
     post_ink(composer, bloom, inks.second, share, start + (int64_t)(0.3f * (float)takes));
     if (bloom->weight > 0.6f) {
         post_pull(composer, bloom, start + (int64_t)(0.5f * (float)takes));
-        post_ink(composer, bloom, inks.third, 0.5f * share, start + (int64_t)(0.72f * (float)takes));
+        spare(post_ink(composer, bloom, inks.third, 0.5f * share, start + (int64_t)(0.72f * (float)takes)));
     }
     post_end(composer, bloom, composer->grown[i]);
 }
@@ -221,7 +235,7 @@ static void post_splash(struct composer *composer, float x, float y, int64_t tic
         drop.solvent = 12;
         drop.amount = 40;
         if (arrangement_room(&composer->arrangement, x, y, NULL) > SPLASH_ROOM) {
-            post(composer, &drop, tick, (int)seconds(composer, 0.1f));
+            spare(post(composer, &drop, tick, (int)seconds(composer, 0.1f)));
         }
         tick += seconds(composer, dice_between(dice, 0.6f, 1.1f));
         radius *= 0.75f;
@@ -267,5 +281,6 @@ void compose(struct performance *performance, const struct compose_def *def, str
     }
     post_splashes(&composer);
     performance->ticks = composer.end + rest < def->ticks ? composer.end + rest : def->ticks;
+    performance_space(performance, (int)seconds(&composer, 0.7f));
     performance_sort(performance);
 }
