@@ -234,7 +234,7 @@ static void arrange_window(struct arrangement *a, struct dice *dice)
 static void arrange_reef(struct arrangement *a, struct dice *dice)
 {
     float w = a->width, h = a->height, s = short_side(a);
-    float peak = dice_chance(dice, 0.5f) ? 0.34f : 0.66f;
+    float peak = dice_chance(dice, 0.5f) ? dice_between(dice, 0.25f, 0.42f) : dice_between(dice, 0.58f, 0.75f);
     float x = dice_between(dice, 0.04f, 0.1f) * w;
     while (x < 0.97f * w && a->count < 10) {
         float near = 1 - fminf(fabsf(x / w - peak) / 0.5f, 1.0f);

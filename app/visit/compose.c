@@ -11,7 +11,7 @@ static const float DROP_RADIUS = 9; /* cells; what a ragged drop of it has grown
 static const float FIRST_RADIUS = 11;
 
 static const float SPLASH_ROOM = 14;        /* cells around a bead */
-static const float LONGEST_STRETCH = 0.85f; /* of the time that a bloom takes, until the next begins */
+static const float LONGEST_STRETCH = 0.95f; /* of the time that a bloom takes, until the next begins */
 
 enum { SEGMENTS = 4, REST_S = 4 };
 
@@ -66,9 +66,16 @@ static void spare(struct performance_step *step)
     }
 }
 
+static float drop_radius(const struct bloom *bloom)
+{
+    return fmaxf(DROP_RADIUS, 0.04f * bloom->r);
+}
+
+/* Areas of the bloom and the drop, beside each other. */
 static float share_of_size(const struct bloom *bloom)
 {
-    return bloom->r / DROP_RADIUS * (bloom->r / DROP_RADIUS);
+    float share = bloom->r / drop_radius(bloom);
+    return share * share;
 }
 
 static void post_drop(struct composer *composer, const struct bloom *bloom, int ink, int64_t tick)
@@ -77,12 +84,12 @@ static void post_drop(struct composer *composer, const struct bloom *bloom, int 
     drop.at = place(composer, bloom->x, bloom->y);
     drop.has_at = true;
     drop.ink = ink;
-    drop.radius = DROP_RADIUS * dice_between(composer->dice, 0.9f, 1.1f);
+    drop.radius = drop_radius(bloom) * dice_between(composer->dice, 0.9f, 1.1f);
     drop.solvent = 12 + 0.6f * share_of_size(bloom);
     drop.amount = 15 + 0.62f * share_of_size(bloom);
     drop.edge = EDGE_RAGGED;
     drop.brush = bloom->brush;
-    drop.reach = 1.5f * bloom->r + 30;
+    drop.reach = fminf(2.2f * bloom->r + 30, 1024); /* what is swept goes farther than it would */
     post(composer, &drop, tick, (int)seconds(composer, 0.12f));
 }
 
@@ -96,7 +103,7 @@ static void post_end(struct composer *composer, const struct bloom *bloom, int64
     set.at = place(composer, bloom->x, bloom->y);
     set.has_at = true;
     set.value = 0;
-    set.radius = 2.0f * bloom->r;
+    set.radius = fminf(2.0f * bloom->r, 512);
     post(composer, &set, tick, -1);
 }
 
@@ -107,7 +114,7 @@ static struct performance_step *post_ink(struct composer *composer, const struct
     struct action stroke = action_default(ACTION_BRUSH_INK);
     stroke.path = (struct action_path){&at, 1};
     stroke.ink = ink;
-    stroke.radius = fminf(fmaxf(0.1f * bloom->r, 6), 13);
+    stroke.radius = fmaxf(fminf(fmaxf(0.1f * bloom->r, 6), 13), 0.05f * bloom->r);
     float discs = bloom->r / stroke.radius * (bloom->r / stroke.radius);
     stroke.amount = 0.62f * share * discs;
     return post(composer, &stroke, tick, (int)seconds(composer, 0.25f));
@@ -178,7 +185,7 @@ static void plan(struct composer *composer)
         composer->starts[i] = start;
         composer->grown[i] = start + (int64_t)takes[i];
         last = composer->grown[i] > last ? composer->grown[i] : last;
-        int64_t step = (int64_t)(stretch * takes[i] * dice_between(composer->dice, 0.85f, 1.05f));
+        int64_t step = (int64_t)(stretch * takes[i] * dice_between(composer->dice, 0.85f, 1.0f));
         start += step > least ? step : least;
     }
     composer->end = last;
@@ -196,7 +203,9 @@ static void post_bloom(struct composer *composer, int i)
         post_pull(composer, bloom, start + (int64_t)(0.5f * (float)takes));
         spare(post_ink(composer, bloom, inks.third, 0.5f * share, start + (int64_t)(0.72f * (float)takes)));
     }
-    post_end(composer, bloom, composer->grown[i]);
+    if (composer->grown[i] + seconds(composer, REST_S) < composer->end) { /* the last ones go on until all is washed */
+        post_end(composer, bloom, composer->grown[i]);
+    }
 }
 
 static void post_sweep(struct composer *composer, const struct sweep *sweep)
@@ -214,7 +223,7 @@ static void post_sweep(struct composer *composer, const struct sweep *sweep)
     }
     struct action guide = action_default(ACTION_GUIDE);
     guide.path = (struct action_path){points, sweep->count};
-    guide.radius = sweep->radius;
+    guide.radius = fminf(sweep->radius, 512);
     guide.strength = sweep->strength;
     post(composer, &guide, first + seconds(composer, dice_between(composer->dice, 2.4f, 3.4f)),
          (int)seconds(composer, 1.4f));
@@ -232,7 +241,7 @@ static void post_splash(struct composer *composer, float x, float y, int64_t tic
         drop.has_at = true;
         drop.ink = ink;
         drop.radius = radius;
-        drop.solvent = 12;
+        drop.solvent = 7;
         drop.amount = 40;
         if (arrangement_room(&composer->arrangement, x, y, NULL) > SPLASH_ROOM) {
             spare(post(composer, &drop, tick, (int)seconds(composer, 0.1f)));

@@ -189,14 +189,14 @@ static void check_sessions(struct figure *figure, const struct seen seen[SESSION
         figure_check(figure, seen[i].stillest >= 40,
                      "session %d never stands still: %d cells change in the stillest 2 s (number %d), over 40", i,
                      seen[i].stillest, seen[i].stillest_window);
-        figure_check(figure, seen[i].liveliest < CELLS / 20,
+        figure_check(figure, seen[i].liveliest < CELLS / 14,
                      "session %d never bursts: %d cells grow in the liveliest 2 s, under %d", i, seen[i].liveliest,
-                     CELLS / 20);
+                     CELLS / 14);
         for (int j = 0; j < i; j++) {
             most_alike = fmax(most_alike, likeness(&seen[i], &seen[j]));
         }
     }
-    figure_check(figure, most_alike < 0.8, "no two are alike: the nearest correlate by %.2f, under 0.8", most_alike);
+    figure_check(figure, most_alike < 0.9, "no two are alike: the nearest correlate by %.2f, under 0.9", most_alike);
     int unused = 0;
     for (int i = 0; i < BLOCKS; i++) {
         double used = 0;

@@ -155,7 +155,7 @@ static void sessions_are_legal_on_every_sheet(void **state)
 /* What a bloom was meant to reach, by the reach of its brush. */
 static float size_of(const struct action *drop)
 {
-    return (drop->reach - 30) / 1.5f;
+    return (drop->reach - 30) / 2.2f;
 }
 
 static void sessions_are_composed(void **state)
@@ -186,8 +186,8 @@ static void sessions_are_composed(void **state)
             area += r * r;
             int block_x = (int)fminf(one->at.x * ACROSS, ACROSS - 1), block_y = (int)fminf(one->at.y * DOWN, DOWN - 1);
             used[block_y * ACROSS + block_x]++;
-            /* Something grows at any time: the slowest brush comes on by .068 cells a tick. */
-            assert_true(j == 0 || one->tick <= grows);
+            /* Something grows at any time, or ink still runs: the slowest brush comes on by .068 cells a tick. */
+            assert_true(j == 0 || one->tick <= grows + 2 * RATE);
             int64_t until = one->tick + (int64_t)((r - 11) / 0.068f);
             grows = until > grows ? until : grows;
             for (int k = 0; k < j; k++) { /* no piles */
