@@ -8,6 +8,8 @@
 static const float PI = 3.14159265f;
 static const float GAP = 0.97f; /* of the radii of two neighbours together: fronts meet, and leave a seam */
 
+static const float LEAST = 20; /* radius, cells: a smaller bloom has no branches yet */
+
 enum { TRIES = 60 };
 
 static float short_side(const struct arrangement *a)
@@ -60,7 +62,7 @@ static void fill(struct arrangement *a, struct dice *dice, int count, float larg
             }
         }
         float r = fminf(best, want);
-        if (r < least) {
+        if (r < fmaxf(least, LEAST)) {
             return;
         }
         add(a, best_x, best_y, r, brush_of(dice, company, 6), 0);
@@ -141,7 +143,7 @@ static void string(struct arrangement *a, struct dice *dice, const struct point 
         struct point at = on_curve(curve, t);
         float want =
             t < 0.5f ? large[0] + 2 * t * (large[1] - large[0]) : large[1] + (2 * t - 1) * (large[2] - large[1]);
-        want = fminf(want * dice_between(dice, 0.75f, 1.1f), a->longest);
+        want = fminf(fmaxf(want * dice_between(dice, 0.75f, 1.1f), LEAST), a->longest);
         float shift = dice_between(dice, -0.3f, 0.3f) * want;
         at.x += shift;
         at.y += dice_between(dice, -0.3f, 0.3f) * want;
@@ -209,7 +211,7 @@ static void arrange_window(struct arrangement *a, struct dice *dice)
         float deep = dice_between(dice, 0.01f, 0.04f) * s;
         at = edge ? (struct point){corner.x + in_x * deep, corner.y + in_y * along[edge]}
                   : (struct point){corner.x + in_x * along[edge], corner.y + in_y * deep};
-        if (at.x > 0 && at.x < w && at.y > 0 && at.y < h && next[edge] > 0.06f * s) {
+        if (at.x > 0 && at.x < w && at.y > 0 && at.y < h && next[edge] > fmaxf(0.06f * s, LEAST)) {
             add(a, at.x, at.y, next[edge], dice_chance(dice, 0.75f) ? brush : other, 0.4f);
             sweep_inwards(a, dice, at, in_x * (edge ? 1.1f : 0.5f) * next[edge],
                           in_y * (edge ? 0.5f : 1.1f) * next[edge]);
@@ -218,7 +220,7 @@ static void arrange_window(struct arrangement *a, struct dice *dice)
     }
     /* Flakes in what stays clear. */
     r = 0.11f * s;
-    for (int i = 0; i < 40 && r > 0.05f * s; i++) {
+    for (int i = 0; i < 40 && r > fmaxf(0.05f * s, LEAST); i++) {
         float x = corner.x + in_x * dice_between(dice, 0.4f, 0.95f) * w;
         float y = corner.y + in_y * dice_between(dice, 0.4f, 0.95f) * h;
         float room = arrangement_room(a, x, y, NULL);
@@ -232,14 +234,14 @@ static void arrange_window(struct arrangement *a, struct dice *dice)
 static void arrange_reef(struct arrangement *a, struct dice *dice)
 {
     float w = a->width, h = a->height, s = short_side(a);
-    float peak = dice_chance(dice, 0.5f) ? 0.34f : 0.66f;
+    float peak = dice_chance(dice, 0.5f) ? dice_between(dice, 0.25f, 0.42f) : dice_between(dice, 0.58f, 0.75f);
     float x = dice_between(dice, 0.04f, 0.1f) * w;
     while (x < 0.97f * w && a->count < 10) {
         float near = 1 - fminf(fabsf(x / w - peak) / 0.5f, 1.0f);
-        float r = (0.14f + 0.26f * near * near) * s * dice_between(dice, 0.8f, 1.1f);
-        r = fminf(r, a->longest);
+        float r = (0.15f + 0.27f * near * near) * s * dice_between(dice, 0.8f, 1.1f);
+        r = fminf(fmaxf(r, LEAST), a->longest);
         float y = h * dice_between(dice, 0.93f, 0.985f) - 0.25f * r * near;
-        if (room_at(a, x, y, h) >= 0.8f * r) {
+        if (room_at(a, x, y, h) >= 0.7f * r) {
             add(a, x, y, r, brush_of(dice, company, 6), near > 0.8f ? 1 : 0.3f);
             float bend = dice_between(dice, -0.35f, 0.35f) * r;
             struct point points[4];
@@ -248,9 +250,9 @@ static void arrange_reef(struct arrangement *a, struct dice *dice)
                 points[i] = (struct point){x + bend * t * t, y - r * (0.1f + 1.3f * t)};
             }
             add_sweep(a, points, 4, 0.6f * r, dice_between(dice, 0.8f, 1.3f));
-            x += r * dice_between(dice, 1.0f, 1.3f);
+            x += r * dice_between(dice, 0.85f, 1.15f);
         } else {
-            x += 0.04f * w;
+            x += 0.02f * w;
         }
     }
     fill(a, dice, 2, 0.09f * s, 0.05f * s);
@@ -262,13 +264,14 @@ static void arrange_drift(struct arrangement *a, struct dice *dice)
     float angle = dice_between(dice, -0.5f, 0.5f) + (dice_chance(dice, 0.5f) ? PI : 0);
     float dx = cosf(angle), dy = sinf(angle);
     int brush = brush_of(dice, company, 6), other = brush_of(dice, company, 6);
-    for (int i = 0; i < 400 && a->count < 16; i++) {
+    for (int i = 0; i < 900 && a->count < 17; i++) {
         float x = dice_between(dice, 0.06f, 0.94f) * w, y = dice_between(dice, 0.06f, 0.94f) * h;
         float along = 0.5f + ((x / w - 0.5f) * dx + (y / h - 0.5f) * dy) * 0.9f;
-        float r = s * (0.26f * powf(fmaxf(along, 0.0f), 1.6f) + 0.05f) * dice_between(dice, 0.85f, 1.15f);
-        r = fminf(r, a->longest);
-        bool late = i > 200;
-        if (room_at(a, x, y, 0) >= r && (late || r > 0.13f * s)) {
+        float r = s * (0.30f * powf(fmaxf(along, 0.0f), 1.5f) + 0.06f) * dice_between(dice, 0.85f, 1.15f);
+        r = fminf(fmaxf(r, LEAST), a->longest);
+        float least = i < 200 ? 0.2f * s : i < 400 ? 0.12f * s : 0; /* the large ones first */
+        float room = room_at(a, x, y, 0);
+        if (r >= least && room >= r && (a->count == 0 || room < 1.5f * r)) {
             add(a, x, y, r, dice_chance(dice, 0.65f) ? brush : other, a->count == 0 ? 1 : 0.3f);
         }
     }
@@ -282,7 +285,8 @@ static void arrange_moon(struct arrangement *a, struct dice *dice)
     int brush = brush_of(dice, heroes, 6), other = brush_of(dice, fine, 4);
     for (float t = 0; t <= 1; t += 0.02f) {
         float angle = from + turn * t, swell = sinf(PI * (0.08f + 0.84f * t));
-        float r = fminf(s * (0.05f + 0.17f * swell) * dice_between(dice, 0.85f, 1.1f), a->longest);
+        float r = s * (0.05f + 0.18f * swell) * dice_between(dice, 0.85f, 1.1f);
+        r = fminf(fmaxf(r, LEAST), a->longest);
         float at_x = x + long_x * cosf(angle), at_y = y + long_y * sinf(angle);
         if (room_at(a, at_x, at_y, 0) >= 0.95f * r) {
             add(a, at_x, at_y, r, swell > 0.6f ? brush : other, swell > 0.9f ? 1 : 0.3f);

@@ -10,7 +10,10 @@ static const float PI = 3.14159265f;
 static const float DROP_RADIUS = 9; /* cells; what a ragged drop of it has grown to at once is FIRST_RADIUS */
 static const float FIRST_RADIUS = 11;
 
-enum { SEGMENTS = 4 };
+static const float SPLASH_ROOM = 14;        /* cells around a bead */
+static const float LONGEST_STRETCH = 0.95f; /* of the time that a bloom takes, until the next begins */
+
+enum { SEGMENTS = 4, REST_S = 4 };
 
 struct composer {
     struct performance *performance;
@@ -49,15 +52,30 @@ static struct point place(const struct composer *composer, float x, float y)
     return (struct point){fminf(fmaxf(x / w, 0.0f), 1.0f), fminf(fmaxf(y / h, 0.0f), 1.0f)};
 }
 
-static void post(struct composer *composer, struct action *action, int64_t tick, int press)
+/* What there is no room for in the performance is left out: NULL. */
+static struct performance_step *post(struct composer *composer, struct action *action, int64_t tick, int press)
 {
     action->tick = tick < 0 ? 0 : tick;
-    performance_add(composer->performance, action, press);
+    return performance_add(composer->performance, action, press);
 }
 
+static void spare(struct performance_step *step)
+{
+    if (step) {
+        step->spare = true;
+    }
+}
+
+static float drop_radius(const struct bloom *bloom)
+{
+    return fmaxf(DROP_RADIUS, 0.04f * bloom->r);
+}
+
+/* Areas of the bloom and the drop, beside each other. */
 static float share_of_size(const struct bloom *bloom)
 {
-    return bloom->r / DROP_RADIUS * (bloom->r / DROP_RADIUS);
+    float share = bloom->r / drop_radius(bloom);
+    return share * share;
 }
 
 static void post_drop(struct composer *composer, const struct bloom *bloom, int ink, int64_t tick)
@@ -66,12 +84,12 @@ static void post_drop(struct composer *composer, const struct bloom *bloom, int 
     drop.at = place(composer, bloom->x, bloom->y);
     drop.has_at = true;
     drop.ink = ink;
-    drop.radius = DROP_RADIUS * dice_between(composer->dice, 0.9f, 1.1f);
+    drop.radius = drop_radius(bloom) * dice_between(composer->dice, 0.9f, 1.1f);
     drop.solvent = 12 + 0.6f * share_of_size(bloom);
     drop.amount = 15 + 0.62f * share_of_size(bloom);
     drop.edge = EDGE_RAGGED;
     drop.brush = bloom->brush;
-    drop.reach = 1.5f * bloom->r + 30;
+    drop.reach = fminf(2.2f * bloom->r + 30, 1024); /* what is swept goes farther than it would */
     post(composer, &drop, tick, (int)seconds(composer, 0.12f));
 }
 
@@ -85,30 +103,36 @@ static void post_end(struct composer *composer, const struct bloom *bloom, int64
     set.at = place(composer, bloom->x, bloom->y);
     set.has_at = true;
     set.value = 0;
-    set.radius = 2.0f * bloom->r;
+    set.radius = fminf(2.0f * bloom->r, 512);
     post(composer, &set, tick, -1);
 }
 
-static void post_ink(struct composer *composer, const struct bloom *bloom, int ink, float share, int64_t tick)
+static struct performance_step *post_ink(struct composer *composer, const struct bloom *bloom, int ink, float share,
+                                         int64_t tick)
 {
     struct point at = place(composer, bloom->x, bloom->y);
     struct action stroke = action_default(ACTION_BRUSH_INK);
     stroke.path = (struct action_path){&at, 1};
     stroke.ink = ink;
-    stroke.radius = fminf(fmaxf(0.1f * bloom->r, 6), 13);
+    stroke.radius = fmaxf(fminf(fmaxf(0.1f * bloom->r, 6), 13), 0.05f * bloom->r);
     float discs = bloom->r / stroke.radius * (bloom->r / stroke.radius);
     stroke.amount = 0.62f * share * discs;
-    post(composer, &stroke, tick, (int)seconds(composer, 0.25f));
+    return post(composer, &stroke, tick, (int)seconds(composer, 0.25f));
 }
 
 /* A stroke in pieces, as a hand makes it. */
 static void post_stroke(struct composer *composer, struct action *stroke, const struct point *points, int count,
                         int64_t tick, int64_t takes)
 {
+    int gesture = composer->performance->count;
     for (int i = 0; i + 1 < count; i++) {
         stroke->path = (struct action_path){&points[i], 2};
         int64_t piece = takes / (count - 1);
-        post(composer, stroke, tick + piece * i, (int)piece);
+        struct performance_step *step = post(composer, stroke, tick + piece * i, (int)piece);
+        spare(step);
+        if (step) {
+            step->gesture = gesture;
+        }
     }
 }
 
@@ -118,7 +142,7 @@ static void post_pull(struct composer *composer, const struct bloom *bloom, int6
     struct point points[SEGMENTS + 1];
     float angle = 0, bend = dice_between(composer->dice, -0.8f, 0.8f), most = 0;
     for (int i = 0; i < 8; i++) { /* where there is room */
-        float other = dice_between(composer->dice, 0, 2 * PI), away = 1.3f * bloom->r;
+        float other = dice_between(composer->dice, 0, 2 * PI), away = 1.2f * bloom->r;
         float x = bloom->x + away * cosf(other + bend), y = bloom->y + away * sinf(other + bend);
         float room = arrangement_room(&composer->arrangement, x, y, bloom);
         angle = room > most ? other : angle;
@@ -128,41 +152,43 @@ static void post_pull(struct composer *composer, const struct bloom *bloom, int6
         return;
     }
     for (int i = 0; i <= SEGMENTS; i++) {
-        float share = (float)i / SEGMENTS, away = bloom->r * (0.35f + 0.95f * share);
+        float share = (float)i / SEGMENTS, away = bloom->r * (0.35f + 0.85f * share);
         points[i] = place(composer, bloom->x + away * cosf(angle + bend * share * share),
                           bloom->y + away * sinf(angle + bend * share * share));
     }
     struct action stroke = action_default(ACTION_BRUSH_SOLVENT);
     stroke.radius = fminf(fmaxf(0.09f * bloom->r, 5), 14);
-    stroke.amount = 3;
+    stroke.amount = 2.5f;
     post_stroke(composer, &stroke, points, SEGMENTS + 1, tick, seconds(composer, 1.4f));
 }
 
+/* When blooms begin: each before the one before it is done, so that something always grows, and as far apart as there
+ * is time for. What is left of the time then is left out. */
 static void plan(struct composer *composer)
 {
     struct arrangement *a = &composer->arrangement;
-    int64_t begin = seconds(composer, 0.4f), least = seconds(composer, 1.6f), longest = 0;
-    for (int i = 1; i < a->count; i++) {
-        int64_t takes = (int64_t)((a->blooms[i].r - FIRST_RADIUS) / speed_of(a->blooms[i].brush));
-        longest = takes > longest ? takes : longest;
+    int64_t begin = seconds(composer, 0.4f), least = seconds(composer, 1.5f), start = begin, last = begin;
+    float sum = 0, takes[ARRANGED_BLOOMS];
+    for (int i = 0; i < a->count; i++) {
+        takes[i] = fmaxf(a->blooms[i].r - FIRST_RADIUS, 4) / speed_of(a->blooms[i].brush);
+        sum += i + 1 < a->count ? takes[i] : 0;
     }
-    int64_t span = composer->end - begin - longest / 2;
-    int64_t step = a->count > 1 ? span / a->count : 0;
+    float stretch = sum > 0 ? ((float)(composer->end - begin) - takes[a->count - 1]) / sum : 0;
+    stretch = fminf(fmaxf(stretch, 0.0f), LONGEST_STRETCH);
     for (int i = 0; i < a->count; i++) {
         struct bloom *bloom = &a->blooms[i];
-        float speed = speed_of(bloom->brush);
-        int64_t start = begin + step * i + (i > 0 ? (int64_t)dice_between(composer->dice, -0.25f, 0.25f) * step : 0);
-        int64_t takes = (int64_t)(fmaxf(bloom->r - FIRST_RADIUS, 1) / speed);
-        int64_t earliest = i > 0 ? composer->starts[i - 1] + least : begin;
-        start = start + takes > composer->end ? composer->end - takes : start;
-        start = start < earliest ? earliest : start;
-        if (start + takes > composer->end) { /* as large as there is time for */
-            takes = composer->end > start ? composer->end - start : 0;
-            bloom->r = FIRST_RADIUS + speed * (float)takes;
+        float left = (float)(composer->end - start);
+        if (takes[i] > left) { /* as large as there is time for */
+            takes[i] = fmaxf(left, 0);
+            bloom->r = FIRST_RADIUS + speed_of(bloom->brush) * takes[i];
         }
         composer->starts[i] = start;
-        composer->grown[i] = start + takes;
+        composer->grown[i] = start + (int64_t)takes[i];
+        last = composer->grown[i] > last ? composer->grown[i] : last;
+        int64_t step = (int64_t)(stretch * takes[i] * dice_between(composer->dice, 0.85f, 1.0f));
+        start += step > least ? step : least;
     }
+    composer->end = last;
 }
 
 static void post_bloom(struct composer *composer, int i)
@@ -175,9 +201,11 @@ static void post_bloom(struct composer *composer, int i)
     post_ink(composer, bloom, inks.second, share, start + (int64_t)(0.3f * (float)takes));
     if (bloom->weight > 0.6f) {
         post_pull(composer, bloom, start + (int64_t)(0.5f * (float)takes));
-        post_ink(composer, bloom, inks.third, 0.5f * share, start + (int64_t)(0.72f * (float)takes));
+        spare(post_ink(composer, bloom, inks.third, 0.5f * share, start + (int64_t)(0.72f * (float)takes)));
     }
-    post_end(composer, bloom, composer->grown[i]);
+    if (composer->grown[i] + seconds(composer, REST_S) < composer->end) { /* the last ones go on until all is washed */
+        post_end(composer, bloom, composer->grown[i]);
+    }
 }
 
 static void post_sweep(struct composer *composer, const struct sweep *sweep)
@@ -195,42 +223,52 @@ static void post_sweep(struct composer *composer, const struct sweep *sweep)
     }
     struct action guide = action_default(ACTION_GUIDE);
     guide.path = (struct action_path){points, sweep->count};
-    guide.radius = sweep->radius;
+    guide.radius = fminf(sweep->radius, 512);
     guide.strength = sweep->strength;
     post(composer, &guide, first + seconds(composer, dice_between(composer->dice, 2.4f, 3.4f)),
          (int)seconds(composer, 1.4f));
 }
 
-/* Small ones, late, in twos and threes. */
+/* Beads beside what has grown, late: one, and smaller ones near it. */
+static void post_splash(struct composer *composer, float x, float y, int64_t tick)
+{
+    struct dice *dice = composer->dice;
+    int ink = harmony_any(&composer->harmony, dice);
+    float radius = dice_between(dice, 1.3f, 2.2f);
+    for (int i = 0, count = 1 + dice_of(dice, 3); i < count; i++) {
+        struct action drop = action_default(ACTION_DROP);
+        drop.at = place(composer, x, y);
+        drop.has_at = true;
+        drop.ink = ink;
+        drop.radius = radius;
+        drop.solvent = 7;
+        drop.amount = 40;
+        if (arrangement_room(&composer->arrangement, x, y, NULL) > SPLASH_ROOM) {
+            spare(post(composer, &drop, tick, (int)seconds(composer, 0.1f)));
+        }
+        tick += seconds(composer, dice_between(dice, 0.6f, 1.1f));
+        radius *= 0.75f;
+        float angle = dice_between(dice, 0, 2 * PI), away = dice_between(dice, 26, 40);
+        x += away * cosf(angle);
+        y += away * sinf(angle);
+    }
+}
+
 static void post_splashes(struct composer *composer)
 {
     const struct arrangement *a = &composer->arrangement;
     struct dice *dice = composer->dice;
-    int groups = 2 + dice_of(dice, 3);
+    float side = fminf(a->width, a->height);
+    int groups = side < 200 ? 1 : 2 + dice_of(dice, 3);
     for (int i = 0, tries = 0; i < groups && tries < 200; tries++) {
         float x = dice_between(dice, 0.04f, 0.96f) * a->width, y = dice_between(dice, 0.04f, 0.96f) * a->height;
-        float room = arrangement_room(a, x, y, NULL), side = fminf(a->width, a->height);
-        if (room < 0.03f * side + 8 || room > 0.14f * side) {
-            continue;
+        float room = arrangement_room(a, x, y, NULL);
+        if (room > 0.02f * side + SPLASH_ROOM && room < 0.12f * side + SPLASH_ROOM) {
+            float share = ((float)i + dice_between(dice, 0.2f, 0.8f)) / (float)groups;
+            int64_t early = (int64_t)((float)composer->end * 0.3f * (1 - share));
+            post_splash(composer, x, y, composer->end - early + seconds(composer, share));
+            i++;
         }
-        float share = ((float)i + dice_between(dice, 0.2f, 0.8f)) / (float)groups;
-        int64_t tick = composer->end - (int64_t)((float)composer->end * 0.3f * (1 - share));
-        int ink = harmony_any(&composer->harmony, dice);
-        for (int j = 0, count = 1 + dice_of(dice, 3); j < count; j++) {
-            struct action drop = action_default(ACTION_DROP);
-            drop.at = place(composer, x, y);
-            drop.has_at = true;
-            drop.ink = ink;
-            drop.radius = dice_between(dice, 1.5f, 2.6f) / (1 + 0.4f * (float)j);
-            drop.solvent = 14;
-            drop.amount = 40;
-            post(composer, &drop, tick, (int)seconds(composer, 0.1f));
-            tick += seconds(composer, dice_between(dice, 0.6f, 1.1f));
-            float angle = dice_between(dice, 0, 2 * PI), away = dice_between(dice, 18, 28);
-            x += away * cosf(angle);
-            y += away * sinf(angle);
-        }
-        i++;
     }
 }
 
@@ -238,7 +276,7 @@ void compose(struct performance *performance, const struct compose_def *def, str
 {
     struct composer composer = {.performance = performance, .def = def, .dice = dice};
     performance_clear(performance, def->ticks);
-    int64_t rest = def->ticks / 16 > 3 * (int64_t)def->rate ? def->ticks / 16 : 3 * (int64_t)def->rate;
+    int64_t rest = REST_S * (int64_t)def->rate;
     composer.end = def->ticks > 2 * rest ? def->ticks - rest : def->ticks / 2;
     harmony_init(&composer.harmony, def->inks, def->ink_count, dice);
     float longest = FIRST_RADIUS + 0.095f * (float)composer.end;
@@ -251,5 +289,7 @@ void compose(struct performance *performance, const struct compose_def *def, str
         post_sweep(&composer, &composer.arrangement.sweeps[i]);
     }
     post_splashes(&composer);
+    performance->ticks = composer.end + rest < def->ticks ? composer.end + rest : def->ticks;
+    performance_space(performance, (int)seconds(&composer, 0.7f));
     performance_sort(performance);
 }

@@ -10,8 +10,8 @@ enum { COMPOSE_STEPS = 256 }; /* room that it needs */
 struct compose_def {
     int inks[PAINTING_INKS], ink_count; /* indices as of ink_find() */
     float width, height;                /* cells of the sheet */
-    int64_t ticks;                      /* that it takes, rest included */
-    int rate;                           /* ticks a second */
+    int64_t ticks; /* that it takes at most, rest included; less where the sheet has no room for so much */
+    int rate;      /* ticks a second */
     enum arrangement_kind kind;
 };
 

@@ -23,13 +23,14 @@ void performance_clear(struct performance *performance, int64_t ticks)
     performance->ticks = ticks;
 }
 
-bool performance_add(struct performance *performance, const struct action *action, int press_ticks)
+struct performance_step *performance_add(struct performance *performance, const struct action *action, int press_ticks)
 {
     if (performance->count == performance->room) {
-        return false;
+        return NULL;
     }
     struct performance_step *step = &performance->steps[performance->count];
-    *step = (struct performance_step){.action = *action, .number = performance->count++};
+    *step = (struct performance_step){.action = *action, .number = performance->count, .gesture = performance->count};
+    performance->count++;
     step->press = press_ticks < 0 ? -1 : action->tick - press_ticks;
     int count = action->path.count;
     int kept = count < STUDIO_PATH ? count : STUDIO_PATH;
@@ -38,7 +39,60 @@ bool performance_add(struct performance *performance, const struct action *actio
         step->points[i] = action->path.points[from];
     }
     step->action.path.count = kept;
-    return true;
+    return step;
+}
+
+static bool by_hand(const struct performance_step *step)
+{
+    return step->press >= 0 && (step->action.has_at || step->action.path.count > 0);
+}
+
+static int by_press(const void *a, const void *b)
+{
+    const struct performance_step *one = a, *other = b;
+    if (one->press != other->press) {
+        return one->press < other->press ? -1 : 1;
+    }
+    return one->number - other->number;
+}
+
+/* Moves all steps of a gesture, or takes them out of what a hand does. Returns when it ends. */
+static int64_t move_gesture(struct performance *performance, int gesture, int64_t ticks, bool out)
+{
+    int64_t end = 0;
+    for (int i = 0; i < performance->count; i++) {
+        struct performance_step *step = &performance->steps[i];
+        if (step->gesture == gesture && by_hand(step)) {
+            step->press += ticks;
+            step->action.tick = out ? INT64_MAX : step->action.tick + ticks;
+            end = step->action.tick > end ? step->action.tick : end;
+        }
+    }
+    return end;
+}
+
+void performance_space(struct performance *performance, int pause)
+{
+    int64_t free_from = 0;
+    qsort(performance->steps, (size_t)performance->count, sizeof performance->steps[0], by_press);
+    for (int i = 0; i < performance->count; i++) {
+        const struct performance_step *step = &performance->steps[i];
+        bool goes_on = i > 0 && step->gesture != step->number;
+        if (!by_hand(step) || step->action.tick == INT64_MAX || goes_on) {
+            continue;
+        }
+        int64_t wait = free_from > step->press ? free_from - step->press : 0;
+        bool out = step->spare && wait > pause;
+        int64_t end = move_gesture(performance, step->gesture, wait, out);
+        free_from = out ? free_from : end + pause;
+    }
+    int kept = 0;
+    for (int i = 0; i < performance->count; i++) {
+        if (performance->steps[i].action.tick < performance->ticks) {
+            performance->steps[kept++] = performance->steps[i];
+        }
+    }
+    performance->count = kept;
 }
 
 static int by_tick(const void *a, const void *b)
@@ -57,11 +111,6 @@ void performance_sort(struct performance *performance)
         struct performance_step *step = &performance->steps[i];
         step->action.path.points = step->action.path.count > 0 ? step->points : NULL;
     }
-}
-
-static bool by_hand(const struct performance_step *step)
-{
-    return step->press >= 0 && (step->action.has_at || step->action.path.count > 0);
 }
 
 static struct point first_of(const struct performance_step *step)
