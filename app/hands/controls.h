@@ -30,6 +30,7 @@ enum {
     CONTROLS_ACTIONS = 64,     /* in a period; what is beyond is dropped and counted */
     CONTROLS_WISHES = 32,      /* not yet taken; so too, but for the release of a switch */
     CONTROLS_CURSOR_US = 20000000,
+    CONTROLS_STUCK_US = 120000000, /* nobody holds still for so long: a bag on the glass, a button that jams */
 };
 
 struct controls_def {
@@ -96,7 +97,8 @@ void controls_reset(struct controls *controls);
 /* The same, in a scene with other inks and coefficients. */
 void controls_scene(struct controls *controls, int inks, const struct coefficients *coefficients);
 
-/* Whether anybody has a finger or a button down. */
+/* Whether anybody has a finger or a button down, as of the last controls_run. A key switch of the staff is no hand, and
+ * what has not stirred for CONTROLS_STUCK_US neither. */
 bool controls_are_held(const struct controls *controls);
 
 struct controls_counts {
