@@ -264,12 +264,15 @@ int controls_timeout_ms(const struct controls *controls, uint64_t now_us)
 
 bool controls_are_held(const struct controls *controls)
 {
+    uint64_t since_us = controls->run_us > CONTROLS_STUCK_US ? controls->run_us - CONTROLS_STUCK_US : 0;
     for (int i = 0; i < CONTACTS; i++) {
-        if (controls->contacts[i].used && controls->contacts[i].press.down) {
+        const struct contact *contact = &controls->contacts[i];
+        bool hand = contact->finger == NOBODY && controls_binding(controls, contact->binding)->what != DO_STAFF;
+        if (contact->used && hand && contact->press.down && contact->press.down_us >= since_us) {
             return true;
         }
     }
-    return gesture_any_down(&controls->gestures);
+    return gesture_any_down(&controls->gestures, since_us);
 }
 
 struct controls_counts controls_counts(const struct controls *controls)

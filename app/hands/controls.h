@@ -30,6 +30,7 @@ enum {
     CONTROLS_ACTIONS = 64,     /* in a period; what is beyond is dropped and counted */
     CONTROLS_WISHES = 32,      /* not yet taken; so too, but for the release of a switch */
     CONTROLS_CURSOR_US = 20000000,
+    CONTROLS_STUCK_US = 120000000, /* nobody holds still for so long: a bag on the glass, a button that jams */
 };
 
 struct controls_def {
@@ -50,6 +51,10 @@ void controls_destroy(struct controls *controls); /* takes NULL */
  * without that. */
 void controls_introduce(struct controls *controls, enum event_source source, const struct device *device);
 void controls_feel(struct controls *controls, const struct event *event);
+/* A point that has rested, or the one switch, wants what a finger would do that comes down there and leaves: the press
+ * and tap bindings of the tool of the seat there, else its drags as a dab, else a drop; no wishes. `visitor`: a
+ * controller, which paints in its ink; any other: the seat. */
+void controls_tap(struct controls *controls, int visitor, struct point at, uint64_t time_us);
 /* Time has passed, CLOCK_MONOTONIC in microseconds as the events have it. */
 void controls_run(struct controls *controls, uint64_t now_us);
 /* When controls_run has something to do: ms from `now_us`, 0 at once, -1 not without an event. */
@@ -96,7 +101,8 @@ void controls_reset(struct controls *controls);
 /* The same, in a scene with other inks and coefficients. */
 void controls_scene(struct controls *controls, int inks, const struct coefficients *coefficients);
 
-/* Whether anybody has a finger or a button down. */
+/* Whether anybody has a finger or a button down, as of the last controls_run. A key switch of the staff is no hand, and
+ * what has not stirred for CONTROLS_STUCK_US neither. */
 bool controls_are_held(const struct controls *controls);
 
 struct controls_counts {

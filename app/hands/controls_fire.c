@@ -58,14 +58,18 @@ static void place(struct queued *queued, const struct binding *binding, const st
     }
 }
 
-static void size(const struct controls *controls, struct action *action, const struct binding *binding,
-                 const struct cause *cause)
+/* What dials have set of drops. */
+static void dial(const struct controls *controls, struct action *action)
 {
     for (int i = 0; i < PARAMETERS && action->verb == ACTION_DROP; i++) {
         if (controls->has_drop[i]) {
             *parameter_of(action, i) = controls->drop[i];
         }
     }
+}
+
+static void size(struct action *action, const struct binding *binding, const struct cause *cause)
+{
     if (binding->has_length) {
         const struct inputs_length *length = &binding->length;
         float share = (float)cause->length_us / (1000 * (float)length->ms);
@@ -143,8 +147,70 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         queued->action.ink = controls_ink_of(controls, cause);
     }
     queued->action.ink %= controls->def.inks; /* a scene may have fewer than the one that the inputs were read for */
-    size(controls, &queued->action, binding, cause);
+    dial(controls, &queued->action);
+    size(&queued->action, binding, cause);
     place(queued, binding, cause);
+}
+
+static bool taps(const struct binding *binding, enum exhibit_tool tool)
+{
+    bool at_once = binding->when == PRESS_DOWN || binding->when == PRESS_UP || binding->when == PRESS_SHORT;
+    bool press = binding_touches(binding, TOUCH_PRESS, tool) || binding_touches(binding, TOUCH_TAP, tool);
+    return binding->what == DO_VERB && press && at_once;
+}
+
+static bool drags(const struct binding *binding, enum exhibit_tool tool)
+{
+    return binding->what == DO_VERB && binding_touches(binding, TOUCH_DRAG, tool);
+}
+
+static int fire_all(struct controls *controls, bool (*wanted)(const struct binding *binding, enum exhibit_tool tool),
+                    const struct cause *cause)
+{
+    int fired = 0;
+    for (int i = 0; i < controls->def.inputs->binding_count; i++) {
+        if (wanted(controls_binding(controls, i), controls->finger_tool[TAPPER])) {
+            controls_fire(controls, i, cause);
+            fired++;
+        }
+    }
+    return fired;
+}
+
+static void drop_anyway(struct controls *controls, const struct cause *cause)
+{
+    struct queued *queued = push(controls, cause->time_us);
+    if (queued) {
+        queued->action = action_default(ACTION_DROP);
+        queued->action.visitor = controls_visitor_of(controls, cause);
+        queued->action.ink = controls_ink_of(controls, cause) % controls->def.inks;
+        queued->action.at = cause->at;
+        queued->action.has_at = true;
+        dial(controls, &queued->action);
+    }
+}
+
+void controls_tap(struct controls *controls, int visitor, struct point at, uint64_t time_us)
+{
+    int owner = visitor - EXHIBIT_SEATS - 1;
+    bool controller = owner >= 0 && owner < OWNERS && controls->owners[owner].ink >= 0;
+    struct cause cause = {
+        .finger = controller ? NOBODY : TAPPER, .owner = controller ? owner : NOBODY, .at = at, .time_us = time_us};
+    struct stroke dab = {.points = {at, at}, .count = 2, .time_us = time_us};
+    dab.points[at.x < 0.5f ? 1 : 0].x += at.x < 0.5f ? GESTURE_STEP : -GESTURE_STEP; /* rightwards, on the sheet */
+    int seat = controls_seat_at(controls, at);
+    if (controller) {
+        controls->finger_tool[TAPPER] = controls->seats[seat].tool;
+    } else {
+        controls_seat_finger(controls, TAPPER, seat);
+    }
+    if (fire_all(controls, taps, &cause) > 0) {
+        return;
+    }
+    cause.stroke = &dab;
+    if (fire_all(controls, drags, &cause) == 0) {
+        drop_anyway(controls, &cause);
+    }
 }
 
 void controls_push_set(struct controls *controls, int coefficient, float value, uint64_t time_us)

@@ -8,7 +8,7 @@
 #include "gesture.h"
 #include "stroke.h"
 
-enum { CONTACTS = 128, OWNERS = 64, KNOWN = 64, NOBODY = -1 };
+enum { CONTACTS = 128, OWNERS = 64, KNOWN = 64, NOBODY = -1, TAPPER = GESTURE_FINGERS /* the finger of taps */ };
 
 struct seat {
     float zone[4]; /* left, top, right, bottom in 0..1 of the sheet */
@@ -75,8 +75,8 @@ struct controls {
     bool pairs[TOOLS]; /* it has a use for two fingers of a hand */
     struct seat seats[EXHIBIT_SEATS];
     int seat_count;
-    int finger_seat[GESTURE_FINGERS], finger_ink[GESTURE_FINGERS];
-    enum exhibit_tool finger_tool[GESTURE_FINGERS];
+    int finger_seat[GESTURE_FINGERS + 1], finger_ink[GESTURE_FINGERS + 1];
+    enum exhibit_tool finger_tool[GESTURE_FINGERS + 1];
     struct stroke strokes[GESTURE_FINGERS];
     bool paired[GESTURE_FINGERS]; /* the stroke is that of two fingers */
     int next_ink, shared_ink;

@@ -45,7 +45,7 @@ struct gestures { /* all zero: no finger */
         enum event_source source;
         uint32_t device;
         int slot, group;
-        uint64_t down_us;
+        uint64_t down_us, heard_us; /* of its first event, of its last */
         struct point start, at, said;
         float spread; /* of two, as told last; in the first of them, as is what was said of both */
     } finger[GESTURE_FINGERS];
@@ -58,6 +58,7 @@ void gesture_feel(struct gestures *gestures, const struct event *event, gesture_
 /* The device has left: its fingers are cancelled. */
 void gesture_leave(struct gestures *gestures, enum event_source source, uint32_t device, uint64_t time_us,
                    gesture_emit *emit, void *user);
-bool gesture_any_down(const struct gestures *gestures);
+/* A finger is down that has told something since then. */
+bool gesture_any_down(const struct gestures *gestures, uint64_t since_us);
 
 #endif

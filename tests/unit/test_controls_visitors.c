@@ -467,6 +467,32 @@ static void a_key_switch_that_is_on_from_the_start_is_known(void **state)
     close_place(&place);
 }
 
+static void what_has_jammed_is_nobodys_hand(void **state)
+{
+    (void)state;
+    struct place place = open_place("gpio: {buttons: [{id: key, line: A}]}\n"
+                                    "bindings: [{button: key, staff: {}}, {touch: press, dry: {}},\n"
+                                    "           {usage: Button 1, drop: {}}]\n");
+    wait_ms(&place, 1);
+    control(&place, SOURCE_GPIO, 1, 0, 1);
+    assert_false(controls_are_held(place.controls)); /* a key that is turned */
+    control(&place, SOURCE_HID, 1, BUTTON(1), 1);
+    assert_true(controls_are_held(place.controls));
+    wait_ms(&place, CONTROLS_STUCK_US / MS);
+    assert_true(controls_are_held(place.controls));
+    wait_ms(&place, 1);
+    assert_false(controls_are_held(place.controls));
+    finger(&place, EVENT_DOWN, 0, 0.5f, 0.5f);
+    assert_true(controls_are_held(place.controls));
+    wait_ms(&place, CONTROLS_STUCK_US / MS);
+    finger(&place, EVENT_MOVE, 0, 0.501f, 0.5f); /* it lives */
+    wait_ms(&place, CONTROLS_STUCK_US / MS);
+    assert_true(controls_are_held(place.controls));
+    wait_ms(&place, 1);
+    assert_false(controls_are_held(place.controls));
+    close_place(&place);
+}
+
 static void a_finger_that_is_taken_away_leaves_nothing(void **state)
 {
     (void)state;
@@ -565,6 +591,7 @@ int main(void)
         cmocka_unit_test(a_switch_goes_down_and_comes_up),
         cmocka_unit_test(wishes_that_nobody_takes_are_bounded_and_switches_come_up),
         cmocka_unit_test(a_key_switch_that_is_on_from_the_start_is_known),
+        cmocka_unit_test(what_has_jammed_is_nobodys_hand),
         cmocka_unit_test(a_finger_that_is_taken_away_leaves_nothing),
         cmocka_unit_test(a_new_visit_begins_as_at_first),
     };
