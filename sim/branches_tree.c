@@ -13,7 +13,7 @@ enum {
     SHORTEST = 7,   /* cells of a branch that ends in a tip */
 };
 
-static const float STEEP = 30; /* a way is e times cheaper for each 1/30 that it is deeper than around it */
+static const float STEEP = 20; /* a way is e times cheaper for each 1/20 that it is deeper than around it */
 
 /* Cells that a way reached, the cheapest first: a binary heap. */
 struct heap {
@@ -26,8 +26,8 @@ struct heap {
 struct search {
     struct branch_trees *trees;
     float *height; /* depth, smoothed; then what a step costs */
-    float *spare;
-    float *cost; /* of the way to the root */
+    float *spare;  /* how deep it is and it is around */
+    float *cost;   /* of the way to the root */
     int32_t *labels;
     struct heap heap;
 };
@@ -122,7 +122,7 @@ static size_t pop(struct heap *heap)
     }
 }
 
-/* Roots: where each object is deepest, seen from some way off. */
+/* Roots: where each object is deepest, itself and around. */
 static bool find_roots(struct search *search)
 {
     struct branch_trees *trees = search->trees;
@@ -184,7 +184,8 @@ static void find_heights(struct search *search, const float *depth, float *betwe
     for (size_t i = 0; i < trees->cells; i++) {
         float over = search->height[i] - search->spare[i];
         trees->ridge[i] = over > 0;
-        search->height[i] = expf(-STEEP * fminf(fmaxf(over, -0.2f), 0.2f));
+        search->spare[i] += search->height[i];
+        search->height[i] = expf(-STEEP * fminf(fmaxf(over, -0.4f), 0.4f));
     }
 }
 
@@ -244,13 +245,16 @@ static void cover(const struct branch_trees *trees, size_t cell, uint8_t *covere
     }
 }
 
-static int to_line(const struct branch_trees *trees, size_t cell)
+/* Whether a way to the nearest line is a branch: long enough, and on a ridge for the most part, which the flank of
+ * another is not. What begins at a root is one of the first, and one of a sheet without any relief. */
+static bool is_branch(const struct branch_trees *trees, size_t cell)
 {
-    int count = 0;
-    for (; !trees->line[cell] && count < SHORTEST; cell = trees->parent[cell]) {
+    int count = 0, ridge = 0;
+    for (; !trees->line[cell]; cell = trees->parent[cell]) {
         count++;
+        ridge += trees->ridge[cell];
     }
-    return count;
+    return count >= SHORTEST && (trees->line[cell] == 2 || 3 * ridge >= 2 * count);
 }
 
 /* Ways from the farthest cells that are not near a line yet become lines. */
@@ -271,7 +275,7 @@ static bool grow_lines(struct branch_trees *trees)
     }
     for (size_t i = 0; good && i < trees->order_count; i++) {
         size_t cell = far[i].cell;
-        if (covered[cell] || to_line(trees, cell) < SHORTEST) {
+        if (covered[cell] || !is_branch(trees, cell)) {
             continue;
         }
         for (; !trees->line[cell]; cell = trees->parent[cell]) {

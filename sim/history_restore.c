@@ -6,14 +6,16 @@
 
 #include "history_state.h"
 
+#define SOFT_RIM 0.3f /* of its radius, that the time brush fades over */
+
 enum { PASS_TICKS = 12 }; /* the time brush takes a cell back once in so many ticks */
 
-#define SPEED       0.2f /* cells a tick that growth goes on by, about */
-#define GROWTH      0.5f /* cells a tick that it never exceeds */
+#define SPEED       0.15f /* cells a tick that growth goes on by, about */
+#define GROWTH      0.3f  /* cells a tick that it never exceeds */
 #define GROWTH_ROOM 8.0f
-#define FLOW        0.25f /* cells a tick, and at most, that liquid comes along a pattern */
-#define FLOW_ROOM   10.0f
-#define FLOW_MOST   90.0f
+#define FLOW        0.5f /* cells a tick, and at most, that liquid comes along a pattern */
+#define FLOW_ROOM   12.0f
+#define FLOW_MOST   160.0f
 #define CARVED      0.1f /* as DEPOSIT_CARVED */
 
 /* What is done to each tile of a line; `plan` first says where. */
@@ -170,13 +172,27 @@ static void plan_undo(struct restoring *restoring, int tile, struct plan *plan)
 {
     struct history *history = restoring->history;
     plan->version = before(history, restoring->group, tile);
-    plan->any = plan->version != PAST_NONE &&
-                territory_shares(restoring->territory, x_of(history, tile), y_of(history, tile),
-                                 past_moment(history->past, plan->version), plan->share, plan->ground);
+    plan->any = plan->version != PAST_NONE && territory_shares(restoring->territory, x_of(history, tile),
+                                                               y_of(history, tile), plan->share, plan->ground);
 }
 
-/* Keeps what undo takes, for redo. */
-static void take(struct restoring *restoring, int tile, const struct plan *plan)
+/* Whether undo makes a difference to a cell: where it makes none, redo leaves alone what others have done since. */
+static bool differs(const struct tile_code *is, const struct tile_code *was, int cell)
+{
+    static const int PLANES[] = {CODE_SOLVENT, CODE_INK,     CODE_ACTIVE,  CODE_CATALYST, CODE_CARVED,
+                                 CODE_WET,     CODE_WET + 1, CODE_WET + 2, CODE_WET + 3,  CODE_DRY,
+                                 CODE_DRY + 1, CODE_DRY + 2, CODE_DRY + 3};
+    for (size_t i = 0; i < sizeof PLANES / sizeof PLANES[0]; i++) {
+        float a = tile_code_number(is->planes[PLANES[i]][cell]), b = tile_code_number(was->planes[PLANES[i]][cell]);
+        if (fabsf(a - b) > 0.01f) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Keeps what undo takes, for redo; `was`: what it puts there. */
+static void take(struct restoring *restoring, int tile, const struct plan *plan, const struct tile_code *was)
 {
     struct group *group = restoring->group;
     struct past *past = restoring->history->past;
@@ -190,11 +206,17 @@ static void take(struct restoring *restoring, int tile, const struct plan *plan)
         group->taken = taken;
         group->taken_room = room;
     }
-    for (int cell = 0; cell < TILE_CELLS; cell++) {
-        shares[cell] = (uint16_t)((unsigned)(plan->share[cell] * 255.0f + 0.5f) | (plan->ground[cell] ? 256u : 0u));
-    }
     uint32_t newest = past_newest(past, tile);
-    uint32_t copy = newest == PAST_NONE ? PAST_NONE : past_copy(past, newest, shares);
+    if (newest == PAST_NONE) {
+        return;
+    }
+    struct tile_code is;
+    past_read(past, newest, &is);
+    for (int cell = 0; cell < TILE_CELLS; cell++) {
+        unsigned share = differs(&is, was, cell) ? (unsigned)(plan->share[cell] * 255.0f + 0.5f) : 0;
+        shares[cell] = (uint16_t)(share | (plan->ground[cell] ? 256u : 0u));
+    }
+    uint32_t copy = past_copy(past, newest, shares);
     if (copy != PAST_NONE) {
         group->taken[group->taken_count++] = (struct taken){tile, copy};
     }
@@ -214,67 +236,105 @@ static void apply_undo(struct restoring *restoring, int tile, struct plan *plan)
     } else {
         read_mended(history, tile, version, &code);
     }
-    take(restoring, tile, plan);
+    take(restoring, tile, plan, &code);
     give(restoring, tile, plan, &code);
     lose(restoring, tile, plan, moment < restoring->group->begin ? restoring->group->begin : moment);
 }
 
-/* The tiles of the box as they were: where they were carved. */
-static bool find_carved(const struct history *history, const struct group *group, struct territory *territory)
+/* Where a version was carved. */
+static void carved_then(const struct history *history, uint32_t version, uint8_t carved[TILE_CELLS])
+{
+    uint16_t active[TILE_CELLS], depth[TILE_CELLS];
+    memset(carved, 0, TILE_CELLS);
+    if (version != PAST_NONE) {
+        past_read_plane(history->past, version, CODE_ACTIVE, active);
+        past_read_plane(history->past, version, CODE_CARVED, depth);
+        for (int cell = 0; cell < TILE_CELLS; cell++) {
+            carved[cell] = tile_code_number(active[cell]) + tile_code_number(depth[cell]) > CARVED;
+        }
+    }
+}
+
+/* A line of tiles of the box: where it was carved, where it is. */
+static bool find_carved_line(struct history *history, struct engine *engine, const struct group *group,
+                             struct territory *territory, int line)
 {
     struct rectangle box = territory->box;
-    size_t width = (size_t)(box.x1 - box.x0);
-    territory->carved = calloc(width * (size_t)(box.y1 - box.y0), 1);
-    for (int y = box.y0; territory->carved && y < box.y1; y += TILE) {
-        for (int x = box.x0; x < box.x1; x += TILE) {
-            uint16_t active[TILE_CELLS], carved[TILE_CELLS];
-            uint32_t version = before(history, group, y / TILE * history->columns + x / TILE);
-            if (version == PAST_NONE) {
-                continue;
-            }
-            past_read_plane(history->past, version, CODE_ACTIVE, active);
-            past_read_plane(history->past, version, CODE_CARVED, carved);
-            for (int cell = 0; cell < TILE_CELLS; cell++) {
-                int column = x + cell % TILE, row = y + cell / TILE;
-                if (column < box.x1 && row < box.y1) {
-                    territory->carved[(size_t)(row - box.y0) * width + (size_t)(column - box.x0)] =
-                        tile_code_number(active[cell]) + tile_code_number(carved[cell]) > CARVED;
-                }
+    int width = box.x1 - box.x0;
+    if (!history_save_line(history, engine, line, box.x0 / TILE, (box.x1 - 1) / TILE)) {
+        return false;
+    }
+    const float *active = patch_plane(&history->patch, CHECKPOINT_ACTIVE);
+    const float *carved = patch_plane(&history->patch, CHECKPOINT_CARVED);
+    uint8_t *to = territory->carved + (size_t)(line * TILE - box.y0) * (size_t)width;
+    int rows = box.y1 - line * TILE < TILE ? box.y1 - line * TILE : TILE;
+    for (int i = 0; i < width * rows; i++) {
+        to[i] = active[i] + carved[i] > CARVED ? TERRITORY_IS : 0;
+    }
+    for (int x = box.x0; x < box.x1; x += TILE) {
+        uint8_t was[TILE_CELLS];
+        carved_then(history, before(history, group, line * history->columns + x / TILE), was);
+        for (int cell = 0; cell < TILE_CELLS; cell++) {
+            int column = x - box.x0 + cell % TILE, row = cell / TILE;
+            if (was[cell] && column < width && row < rows) {
+                to[row * width + column] |= TERRITORY_WAS;
             }
         }
     }
-    return territory->carved && territory_measure(territory);
+    return true;
 }
 
-static bool was_carved(const struct history *history, const struct group *group, float x, float y)
+static bool find_carved(struct history *history, struct engine *engine, const struct group *group,
+                        struct territory *territory)
+{
+    struct rectangle box = territory->box;
+    territory->carved = calloc((size_t)(box.x1 - box.x0) * (size_t)(box.y1 - box.y0), 1);
+    bool good = territory->carved;
+    for (int line = box.y0 / TILE; good && line * TILE < box.y1; line++) {
+        good = find_carved_line(history, engine, group, territory, line);
+    }
+    return good;
+}
+
+static int tile_at(const struct history *history, float x, float y)
 {
     int column = (int)x < history->width ? (int)x : history->width - 1;
     int row = (int)y < history->height ? (int)y : history->height - 1;
-    uint16_t active[TILE_CELLS], carved[TILE_CELLS];
-    uint32_t version = before(history, group, row / TILE * history->columns + column / TILE);
-    if (version == PAST_NONE) {
-        return false;
-    }
-    int cell = row % TILE * TILE + column % TILE;
-    past_read_plane(history->past, version, CODE_ACTIVE, active);
-    past_read_plane(history->past, version, CODE_CARVED, carved);
-    return tile_code_number(active[cell]) + tile_code_number(carved[cell]) > CARVED;
+    return row / TILE * history->columns + column / TILE;
 }
 
-/* The marks of a group, for the caller to free; sees where each fell. */
-static struct mark *own_marks(const struct history *history, const struct group *group, int *count)
+static bool was_carved(const struct history *history, const struct group *group, const struct mark *mark)
 {
-    struct mark *own = malloc((size_t)history->mark_count * sizeof *own + 1);
-    *count = 0;
-    for (int i = 0; own && i < history->mark_count; i++) {
-        if (history->marks[i].group == group->id) {
-            own[*count] = history->marks[i];
-            own[*count].on_pattern =
-                own[*count].kind == MARK_GROWS && was_carved(history, group, own[*count].x0, own[*count].y0);
-            ++*count;
+    uint8_t carved[TILE_CELLS];
+    int tile = tile_at(history, mark->x0, mark->y0);
+    int x = (int)mark->x0 - x_of(history, tile), y = (int)mark->y0 - y_of(history, tile);
+    carved_then(history, before(history, group, tile), carved);
+    return carved[(y < TILE ? y : TILE - 1) * TILE + (x < TILE ? x : TILE - 1)];
+}
+
+/* The marks of a group, and those that count against it: what is to be put back does not hold them. For the caller to
+ * free. */
+static struct mark *sort_marks(const struct history *history, const struct group *group, struct territory *territory)
+{
+    struct mark *sorted = malloc((size_t)history->mark_count * sizeof *sorted + 1);
+    int own = 0, others = history->mark_count;
+    for (int i = history->mark_count - 1; sorted && i >= 0; i--) {
+        struct mark mark = history->marks[i];
+        if (mark.group == group->id) {
+            mark.on_pattern = mark.kind == MARK_GROWS && was_carved(history, group, &mark);
+            sorted[own++] = mark;
+            continue;
+        }
+        uint32_t version = before(history, group, tile_at(history, mark.x0, mark.y0));
+        if (mark.counts && (version == PAST_NONE || mark.moment >= past_moment(history->past, version))) {
+            sorted[--others] = mark;
         }
     }
-    return own;
+    territory->own = sorted;
+    territory->own_count = own;
+    territory->others = sorted + others;
+    territory->other_count = history->mark_count - others;
+    return sorted;
 }
 
 static struct rectangle whole_tiles(const struct history *history, struct rectangle cells)
@@ -296,38 +356,43 @@ static float reach_of(const struct territory *territory)
     return most;
 }
 
+static struct territory territory_of(const struct history *history, const struct group *group, uint32_t now)
+{
+    float ticks = (float)(now / MOMENTS - group->begin / MOMENTS), flow = FLOW_ROOM + FLOW * ticks;
+    (void)history;
+    return (struct territory){.begin = group->begin,
+                              .moments_a_cell = (float)MOMENTS / SPEED,
+                              .growth = GROWTH_ROOM + GROWTH * ticks,
+                              .flow = flow < FLOW_MOST ? flow : FLOW_MOST};
+}
+
 void history_undo(struct history *history, struct engine *engine, struct group *group)
 {
     uint32_t now = history_moment(history);
-    float ticks = (float)(now / MOMENTS - group->begin / MOMENTS), flow = FLOW_ROOM + FLOW * ticks;
-    struct territory territory = {.others = history->marks,
-                                  .other_count = history->mark_count,
-                                  .group = group->id,
-                                  .begin = group->begin,
-                                  .moments_a_cell = (float)MOMENTS / SPEED,
-                                  .growth = GROWTH_ROOM + GROWTH * ticks,
-                                  .flow = flow < FLOW_MOST ? flow : FLOW_MOST};
-    struct mark *own = own_marks(history, group, &territory.own_count);
-    territory.own = own;
-    territory.box = whole_tiles(history, history_around(history, own, territory.own_count, reach_of(&territory)));
-    if (own && !rectangle_is_empty(territory.box) && find_carved(history, group, &territory)) {
-        struct restoring restoring = {.history = history,
-                                      .engine = engine,
-                                      .group = group,
-                                      .now = now,
-                                      .territory = &territory,
-                                      .keeps = true,
-                                      .plan = plan_undo,
-                                      .apply = apply_undo};
+    struct territory territory = territory_of(history, group, now);
+    struct mark *sorted = sort_marks(history, group, &territory);
+    struct restoring restoring = {.history = history,
+                                  .engine = engine,
+                                  .group = group,
+                                  .now = now,
+                                  .territory = &territory,
+                                  .keeps = true,
+                                  .plan = plan_undo,
+                                  .apply = apply_undo};
+    if (sorted) {
+        territory.box =
+            whole_tiles(history, history_around(history, territory.own, territory.own_count, reach_of(&territory)));
         group->taken_count = 0;
-        restore(&restoring, territory.box);
+        if (!rectangle_is_empty(territory.box) && find_carved(history, engine, group, &territory) &&
+            territory_measure(&territory)) {
+            restore(&restoring, territory.box);
+        }
     }
     group->state = GROUP_UNDONE;
     group->undone = now;
     history_count_marks(history, group->id, false);
-    free(own);
-    free(territory.carved);
-    free(territory.from_carved);
+    free(sorted);
+    territory_finish(&territory);
 }
 
 /* ---- redo */
@@ -390,148 +455,95 @@ static float cover_of(const struct restoring *restoring, float x, float y)
     float best = 0.0f;
     for (int i = 0; i < restoring->mark_count; i++) {
         const struct mark *mark = &restoring->marks[i];
-        float t = -mark_distance(mark, x, y) / (0.5f * mark->radius);
-        t = t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t;
-        t = t * t * (3.0f - 2.0f * t);
+        float t = -mark_distance(mark, x, y) / (SOFT_RIM * mark->radius);
         best = t > best ? t : best;
     }
-    return best;
+    return best < 1.0f ? best : 1.0f;
 }
 
-/* How much further back a cell goes now, 0..1 of the brush's depth: once a pass, by the most that covers it. */
-static float pass_over(struct lost *lost, uint16_t tick, float cover)
+/* The version that the last round before a moment has made of a tile: those that groups have asked for stand at moments
+ * of their own, and would not fit to those of the tiles beside it. Versions of time that a cell has lost are passed
+ * over. */
+static uint32_t version_for(const struct history *history, int tile, const struct lost *lost, uint32_t target)
 {
+    uint32_t round = (uint32_t)history->def.interval * MOMENTS, begin = target / round * round;
+    uint32_t version = past_find(history->past, tile, begin + round - 1);
+    while (version != PAST_NONE) {
+        uint32_t older = past_before(history->past, version), moment = past_moment(history->past, version);
+        bool between =
+            past_group(history->past, version) && older != PAST_NONE && past_moment(history->past, older) >= begin;
+        bool gone = moment > lost->from && moment <= lost->until && older != PAST_NONE;
+        if (!between && !gone) {
+            break;
+        }
+        version = older;
+    }
+    return version;
+}
+
+/* Takes a cell back; in one pass once, and then by as much more as it is covered more. Returns the share. */
+static float aim(const struct restoring *restoring, int tile, struct lost *lost, float cover, uint32_t *version)
+{
+    uint32_t now = restoring->now, depth = (uint32_t)restoring->depth;
+    uint16_t tick = (uint16_t)(now / MOMENTS);
     bool same = lost->cover > 0 && (uint16_t)(tick - lost->pass) < PASS_TICKS;
-    float had = same ? (float)lost->cover * (1.0f / 255) : 0.0f;
-    if (cover <= had) {
+    uint8_t level = (uint8_t)(cover * 255.0f);
+    if (level == 0 || (same && level <= lost->cover)) {
         return 0.0f;
     }
+    uint32_t target = now > depth ? now - depth : 0, gap = target < lost->until ? lost->until - lost->from : 0;
+    target = target > gap ? target - gap : 0;
+    if (same && lost->cover >= 128) {
+        target = lost->from; /* it is there already, but for a share */
+    }
+    *version = version_for(restoring->history, tile, lost, target);
+    if (*version == PAST_NONE) {
+        return 0.0f;
+    }
+    if (level >= 128) {
+        lost->from = target;
+        lost->until = now;
+    }
     lost->pass = same ? lost->pass : tick;
-    lost->cover = (uint8_t)(cover * 255.0f);
-    return cover - had;
-}
-
-/* The moment whose version a cell is to be like, and how much of it. `wanted` counts back from now; the time that a
- * cell has lost does not count, and what was kept in that time is not looked at. */
-static void aim(const struct restoring *restoring, int tile, const struct lost *lost, uint32_t wanted, uint32_t *target,
-                float *share)
-{
-    const struct past *past = restoring->history->past;
-    uint32_t now = restoring->now, gap = wanted < lost->until ? lost->until - lost->from : 0;
-    *target = wanted > gap ? wanted - gap : 0;
-    *share = 1.0f;
-    if (gap > 0) {
-        return;
-    }
-    uint32_t version = past_find(past, tile, wanted), moment = version == PAST_NONE ? 0 : past_moment(past, version);
-    bool idle = version != PAST_NONE && past_next(past, version) == PAST_NONE;
-    if (moment > lost->from && moment <= lost->until) {
-        *target = lost->from;
-        *share = (float)(now - wanted) / (float)(now - lost->until);
-    } else if (idle && wanted > moment) { /* between the newest version and now */
-        *share = (float)(now - wanted) / (float)(now - moment);
-    }
+    lost->cover = level;
+    return cover;
 }
 
 static void plan_rewind(struct restoring *restoring, int tile, struct plan *plan)
 {
-    struct history *history = restoring->history;
-    uint16_t tick = (uint16_t)(restoring->now / MOMENTS);
-    plan->any = false;
-    if (past_newest(history->past, tile) == PAST_NONE) {
-        return;
-    }
+    const struct history *history = restoring->history;
     for (int cell = 0; cell < TILE_CELLS; cell++) {
         struct lost *lost = lost_of(history, tile, cell);
         plan->share[cell] = 0.0f;
         plan->ground[cell] = 0;
-        if (!lost) {
-            continue;
-        }
-        float cover = cover_of(restoring, (float)(x_of(history, tile) + cell % TILE) + 0.5f,
-                               (float)(y_of(history, tile) + cell / TILE) + 0.5f);
-        uint32_t depth = (uint32_t)(pass_over(lost, tick, cover) * restoring->depth);
-        if (depth >= MOMENTS) {
-            uint32_t target = restoring->now > depth ? restoring->now - depth : 0;
-            aim(restoring, tile, lost, target, &plan->target[cell], &plan->share[cell]);
-            plan->ground[cell] = 1;
-            plan->any = true;
+        if (lost) {
+            float x = (float)(x_of(history, tile) + cell % TILE), y = (float)(y_of(history, tile) + cell / TILE);
+            float cover = cover_of(restoring, x + 0.5f, y + 0.5f);
+            plan->share[cell] = aim(restoring, tile, lost, cover, &plan->versions[cell]);
+            plan->ground[cell] = plan->share[cell] >= 0.5f;
+            plan->any = plan->any || plan->share[cell] > 0.0f;
         }
     }
 }
 
-/* How far a cell has gone from a version to the next at the moment that it wants. What changes between the two did so
- * in the last round, as far as is known. */
-static float between(const struct history *history, const struct lost *lost, uint32_t version, uint32_t next,
-                     uint32_t target)
-{
-    uint32_t from = past_moment(history->past, version), to = past_moment(history->past, next);
-    uint32_t most = 2 * (uint32_t)history->def.interval * MOMENTS;
-    from = to - from > most ? to - most : from;
-    if (target <= from || (to > lost->from && to <= lost->until)) {
-        return 0.0f;
-    }
-    return (float)(target - from) / (float)(to - from);
-}
-
-static void add_version(const struct history *history, uint32_t version, const float weight[TILE_CELLS],
-                        struct tile_values *sum)
-{
-    struct tile_code code;
-    struct tile_values values;
-    past_read(history->past, version, &code);
-    tile_code_values(&code, &values);
-    for (int plane = 0; plane < CODE_STATE; plane++) {
-        for (int cell = 0; cell < TILE_CELLS; cell++) {
-            sum->planes[plane][cell] += weight[cell] * values.planes[plane][cell];
-        }
-    }
-}
-
+/* One version after the other, each for the cells that want it. */
 static void apply_rewind(struct restoring *restoring, int tile, struct plan *plan)
 {
-    struct history *history = restoring->history;
-    struct tile_values sum = {0};
-    struct tile_code ground;
-    float weight[TILE_CELLS], carry[TILE_CELLS] = {0};
-    uint8_t chosen[TILE_CELLS];
-    uint32_t least = restoring->now;
-    for (int cell = 0; cell < TILE_CELLS; cell++) {
-        least = plan->share[cell] > 0.0f && plan->target[cell] < least ? plan->target[cell] : least;
-    }
-    uint32_t version = past_find(history->past, tile, least), first = version;
-    if (version == PAST_NONE) {
-        return;
-    }
-    for (uint32_t next; version != PAST_NONE; version = next) {
-        bool any = false;
-        next = past_next(history->past, version);
-        past_read(history->past, version, &ground);
-        for (int cell = 0; cell < TILE_CELLS; cell++) {
-            uint32_t target = plan->target[cell];
-            bool here = plan->share[cell] > 0.0f &&
-                        (version == first || target >= past_moment(history->past, version)) &&
-                        (next == PAST_NONE || target < past_moment(history->past, next));
-            float goes_on = here && next != PAST_NONE
-                                ? between(history, lost_of(history, tile, cell), version, next, target)
-                                : 0.0f;
-            weight[cell] = carry[cell] + (here ? 1.0f - goes_on : 0.0f);
-            carry[cell] = goes_on;
-            chosen[cell] = here;
-            any = any || weight[cell] > 0.0f;
+    for (int first = 0; first < TILE_CELLS; first++) {
+        if (plan->share[first] <= 0.0f) {
+            continue;
         }
-        if (any) {
-            add_version(history, version, weight, &sum);
-            tile_code_give_ground(&ground, chosen, &history->patch, x_of(history, tile), y_of(history, tile));
+        struct plan part = {.any = true};
+        struct tile_code code;
+        for (int cell = first; cell < TILE_CELLS; cell++) {
+            if (plan->share[cell] > 0.0f && plan->versions[cell] == plan->versions[first]) {
+                part.share[cell] = plan->share[cell];
+                part.ground[cell] = plan->ground[cell];
+                plan->share[cell] = cell == first ? plan->share[cell] : 0.0f;
+            }
         }
-    }
-    tile_values_blend(&sum, plan->share, &history->patch, x_of(history, tile), y_of(history, tile));
-    for (int cell = 0; cell < TILE_CELLS; cell++) {
-        struct lost *lost = lost_of(history, tile, cell);
-        if (lost && plan->share[cell] > 0.0f) {
-            lost->from = plan->target[cell];
-            lost->until = restoring->now;
-        }
+        past_read(restoring->history->past, plan->versions[first], &code);
+        give(restoring, tile, &part, &code);
     }
 }
 

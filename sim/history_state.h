@@ -45,7 +45,8 @@ struct plan {
     bool any;
     float share[TILE_CELLS];
     uint8_t ground[TILE_CELLS];
-    uint32_t version, target[TILE_CELLS];
+    uint32_t version;              /* of undo and redo */
+    uint32_t versions[TILE_CELLS]; /* of the time brush */
 };
 
 struct history {

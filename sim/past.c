@@ -286,6 +286,16 @@ uint32_t past_newest(const struct past *past, int tile)
     return past->tiles[tile].newest;
 }
 
+uint32_t past_before(const struct past *past, uint32_t version)
+{
+    return past->versions[version].older;
+}
+
+uint32_t past_group(const struct past *past, uint32_t version)
+{
+    return past->versions[version].group;
+}
+
 uint32_t past_moment(const struct past *past, uint32_t version)
 {
     return past->versions[version].moment;

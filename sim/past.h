@@ -27,6 +27,9 @@ uint32_t past_find_of(const struct past *past, int tile, uint32_t group);
 /* The version after this one, or PAST_NONE; the newest of a tile, or PAST_NONE. */
 uint32_t past_next(const struct past *past, uint32_t version);
 uint32_t past_newest(const struct past *past, int tile);
+/* The version before it, or PAST_NONE; the group that has asked for it, or 0. */
+uint32_t past_before(const struct past *past, uint32_t version);
+uint32_t past_group(const struct past *past, uint32_t version);
 uint32_t past_moment(const struct past *past, uint32_t version);
 /* One plane (enum tile_plane), or all. */
 void past_read_plane(const struct past *past, uint32_t version, int plane, uint16_t to[TILE_CELLS]);

@@ -2,15 +2,20 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-enum { NEAREST = 32 }; /* marks of a kind that are looked at for each cell of a tile */
+#define EDGE 1.5f /* cells around a mark that are always its own */
+#define CORE 4.0f /* cells around what others did later that are always theirs */
+#define SOFT 3.0f /* cells over which what is put back fades into what stays */
+#define NONE -1e6f
 
-#define FAR       1e9f
-#define HALF_TILE 11.4f /* from the middle of a tile to its corners */
-#define EDGE      1.5f  /* cells around a mark that are always its own */
-#define CORE      4.0f  /* cells around what others did later that are always theirs */
-#define SOFT      3.0f  /* cells over which what is put back fades into what stays */
-#define CHAMFER   3     /* units of a cell: 3 along the axes, 4 along diagonals */
+enum {
+    DIAGONAL = 4,        /* TERRITORY_CELL is 3: the 3-4 chamfer */
+    BARE = 20,           /* times as long, where nothing is carved */
+    UNREACHED = 1 << 24, /* farther than any cell */
+    BESIDE = 16,         /* cells beside its branches that growth concerns */
+    PASSES = 64,         /* of a sweep to and fro: branches wind less than that */
+};
 
 float mark_distance(const struct mark *mark, float x, float y)
 {
@@ -22,180 +27,292 @@ float mark_distance(const struct mark *mark, float x, float y)
     return sqrtf(px * px + py * py) - mark->radius;
 }
 
-static int32_t least(int32_t a, int32_t b)
+/* A field over the box with a border of one cell. */
+struct spread {
+    int width, height, across;
+    int32_t *units;   /* distance */
+    float *value;     /* NULL, or what travels along */
+    int32_t *lengths; /* of a step into each cell */
+};
+
+static bool spread_init(struct spread *spread, const struct territory *territory, bool carries)
 {
-    return a < b ? a : b;
+    *spread = (struct spread){.width = territory->box.x1 - territory->box.x0,
+                              .height = territory->box.y1 - territory->box.y0};
+    spread->across = spread->width + 2;
+    size_t cells = (size_t)spread->across * (size_t)(spread->height + 2);
+    spread->units = malloc(cells * sizeof *spread->units);
+    spread->lengths = malloc(cells * sizeof *spread->lengths);
+    spread->value = carries ? calloc(cells, sizeof *spread->value) : NULL;
+    for (size_t i = 0; spread->units && i < cells; i++) {
+        spread->units[i] = UNREACHED;
+    }
+    return spread->units && spread->lengths && (!carries || spread->value);
+}
+
+static void spread_finish(struct spread *spread)
+{
+    free(spread->units);
+    free(spread->lengths);
+    free(spread->value);
+}
+
+static size_t place(const struct spread *spread, int x, int y)
+{
+    return (size_t)(y + 1) * (size_t)spread->across + (size_t)(x + 1);
+}
+
+static bool relax(struct spread *spread, size_t at, ptrdiff_t beside, int32_t step)
+{
+    size_t from = (size_t)((ptrdiff_t)at + beside);
+    int32_t units = spread->units[from] + step;
+    if (units >= spread->units[at]) {
+        return false;
+    }
+    spread->units[at] = units;
+    if (spread->value) {
+        spread->value[at] = spread->value[from];
+    }
+    return true;
+}
+
+/* Four neighbours that a sweep has passed already; `way`: 1 down, -1 up. */
+static bool relax_cell(struct spread *spread, size_t at, ptrdiff_t way)
+{
+    int32_t length = spread->lengths[at];
+    ptrdiff_t across = spread->across;
+    bool changed = relax(spread, at, -way, TERRITORY_CELL * length);
+    changed |= relax(spread, at, -way * across, TERRITORY_CELL * length);
+    changed |= relax(spread, at, -way * (across + 1), DIAGONAL * length);
+    changed |= relax(spread, at, -way * (across - 1), DIAGONAL * length);
+    return changed;
+}
+
+/* From the cells that have a distance to all others. `carved`: where steps are short. */
+static void spread_run(struct spread *spread, const struct territory *territory, uint8_t carved)
+{
+    for (int y = 0; y < spread->height; y++) {
+        const uint8_t *row = territory->carved + (size_t)y * (size_t)spread->width;
+        for (int x = 0; x < spread->width; x++) {
+            spread->lengths[place(spread, x, y)] = row[x] & carved ? 1 : BARE;
+        }
+    }
+    bool changed = true;
+    for (int pass = 0; changed && pass < PASSES; pass++) {
+        changed = false;
+        for (int y = 0; y < spread->height; y++) {
+            for (int x = 0; x < spread->width; x++) {
+                changed |= relax_cell(spread, place(spread, x, y), 1);
+            }
+        }
+        for (int y = spread->height - 1; y >= 0; y--) {
+            for (int x = spread->width - 1; x >= 0; x--) {
+                changed |= relax_cell(spread, place(spread, x, y), -1);
+            }
+        }
+    }
+}
+
+static struct rectangle around(const struct territory *territory, const struct mark *mark, float more)
+{
+    float reach = mark->radius + more;
+    struct rectangle cells = {
+        (int)(fminf(mark->x0, mark->x1) - reach) - 1, (int)(fmaxf(mark->x0, mark->x1) + reach) + 2,
+        (int)(fminf(mark->y0, mark->y1) - reach) - 1, (int)(fmaxf(mark->y0, mark->y1) + reach) + 2};
+    const struct rectangle *box = &territory->box;
+    cells = (struct rectangle){cells.x0 - box->x0, cells.x1 - box->x0, cells.y0 - box->y0, cells.y1 - box->y0};
+    return rectangle_clip(cells, box->x1 - box->x0, box->y1 - box->y0);
+}
+
+/* Distance of a cell of the box. */
+static float distance_in(const struct territory *territory, const struct mark *mark, int x, int y)
+{
+    return mark_distance(mark, (float)(territory->box.x0 + x) + 0.5f, (float)(territory->box.y0 + y) + 0.5f);
+}
+
+/* The cells of a mark, which something set out from `head` cells behind. */
+static void set_out(struct spread *spread, const struct territory *territory, const struct mark *mark, float head)
+{
+    struct rectangle cells = around(territory, mark, EDGE);
+    int32_t units = (int32_t)(head * TERRITORY_CELL);
+    for (int y = cells.y0; y < cells.y1; y++) {
+        for (int x = cells.x0; x < cells.x1; x++) {
+            size_t at = place(spread, x, y);
+            if (distance_in(territory, mark, x, y) <= EDGE && units < spread->units[at]) {
+                spread->units[at] = units;
+            }
+        }
+    }
+}
+
+static float late(const struct territory *territory, const struct mark *mark)
+{
+    float moments = mark->moment > territory->begin ? (float)(mark->moment - territory->begin) : 0.0f;
+    return moments / territory->moments_a_cell;
+}
+
+static bool spread_own(struct spread *spread, const struct territory *territory, bool on_pattern)
+{
+    bool any = false;
+    for (int i = 0; i < territory->own_count; i++) {
+        const struct mark *mark = &territory->own[i];
+        if (mark->kind == MARK_GROWS && mark->on_pattern == on_pattern) {
+            set_out(spread, territory, mark, 0.0f);
+            any = true;
+        }
+    }
+    return any;
+}
+
+static void spread_others(struct spread *spread, const struct territory *territory)
+{
+    for (int i = 0; i < territory->other_count; i++) {
+        if (territory->others[i].kind != MARK_GROUND) {
+            set_out(spread, territory, &territory->others[i], late(territory, &territory->others[i]));
+        }
+    }
+}
+
+static float cells_of(int32_t units)
+{
+    return (float)units * (1.0f / TERRITORY_CELL);
+}
+
+/* Growth on fresh ground: nearer to the group's marks than to what was carved, and to what others did later. */
+static bool measure_growth(struct territory *territory)
+{
+    struct spread own, others;
+    bool whole = spread_init(&own, territory, false);
+    whole = spread_init(&others, territory, false) && whole;
+    if (whole && spread_own(&own, territory, false)) {
+        for (int y = 0; y < own.height; y++) {
+            for (int x = 0; x < own.width; x++) {
+                bool was = territory->carved[(size_t)y * (size_t)own.width + (size_t)x] & TERRITORY_WAS;
+                others.units[place(&others, x, y)] = was ? 0 : UNREACHED;
+            }
+        }
+        spread_others(&others, territory);
+        spread_run(&own, territory, TERRITORY_IS);
+        spread_run(&others, territory, TERRITORY_IS);
+        const float reach = territory->growth + (float)(BESIDE * BARE);
+        float *depth = territory->depth;
+        for (int y = 0; y < own.height; y++) {
+            for (int x = 0; x < own.width; x++, depth++) {
+                int32_t mine = own.units[place(&own, x, y)], theirs = others.units[place(&others, x, y)];
+                float lead = 0.5f * cells_of(theirs - mine), left = reach - cells_of(mine);
+                lead = left < lead ? left : lead;
+                *depth = lead > *depth ? lead : *depth;
+            }
+        }
+    }
+    spread_finish(&own);
+    spread_finish(&others);
+    return whole;
+}
+
+/* Liquid on a pattern: as far as it may have come along what was carved, and not nearer to what others did later. What
+ * has grown since belongs to whoever has the tip that it grew from. */
+static bool measure_flow(struct territory *territory)
+{
+    struct spread own, others, grown;
+    bool whole = spread_init(&own, territory, false);
+    whole = spread_init(&others, territory, false) && whole;
+    whole = spread_init(&grown, territory, true) && whole;
+    if (whole && spread_own(&own, territory, true)) {
+        spread_others(&others, territory);
+        spread_run(&own, territory, TERRITORY_WAS);
+        spread_run(&others, territory, TERRITORY_WAS);
+        for (int y = 0; y < own.height; y++) {
+            for (int x = 0; x < own.width; x++) {
+                size_t at = place(&own, x, y);
+                float mine = cells_of(own.units[at]), lead = 0.5f * (cells_of(others.units[at]) - mine);
+                float left = territory->flow - mine;
+                bool was = territory->carved[(size_t)y * (size_t)own.width + (size_t)x] & TERRITORY_WAS;
+                grown.units[at] = was ? 0 : UNREACHED;
+                grown.value[at] = left < lead ? left : lead;
+            }
+        }
+        spread_run(&grown, territory, TERRITORY_IS);
+        float *depth = territory->depth;
+        for (int y = 0; y < own.height; y++) {
+            for (int x = 0; x < own.width; x++, depth++) {
+                float value = grown.value[place(&grown, x, y)];
+                *depth = value > *depth && grown.units[place(&grown, x, y)] < UNREACHED ? value : *depth;
+            }
+        }
+    }
+    spread_finish(&own);
+    spread_finish(&others);
+    spread_finish(&grown);
+    return whole;
+}
+
+/* What lies under the group's own marks is always its own; the core of what others did later never is. */
+static void measure_marks(struct territory *territory)
+{
+    size_t width = (size_t)(territory->box.x1 - territory->box.x0);
+    for (int i = 0; i < territory->own_count + territory->other_count; i++) {
+        bool own = i < territory->own_count;
+        const struct mark *mark = own ? &territory->own[i] : &territory->others[i - territory->own_count];
+        struct rectangle cells = around(territory, mark, CORE + SOFT);
+        for (int y = cells.y0; mark->kind != MARK_GROUND && y < cells.y1; y++) {
+            for (int x = cells.x0; x < cells.x1; x++) {
+                float distance = distance_in(territory, mark, x, y);
+                float *depth = &territory->depth[(size_t)y * width + (size_t)x];
+                if (own) {
+                    *depth = EDGE - distance > *depth ? EDGE - distance : *depth;
+                } else {
+                    *depth = distance - CORE < *depth ? distance - CORE : *depth;
+                }
+            }
+        }
+    }
 }
 
 bool territory_measure(struct territory *territory)
 {
-    int width = territory->box.x1 - territory->box.x0, height = territory->box.y1 - territory->box.y0;
-    int across = width + 2;
-    size_t cells = (size_t)across * (size_t)(height + 2);
-    int32_t *units = malloc(cells * sizeof *units);
-    territory->from_carved = malloc((size_t)width * (size_t)height * sizeof *territory->from_carved);
-    if (!units || !territory->from_carved) {
-        free(units);
+    size_t cells = (size_t)(territory->box.x1 - territory->box.x0) * (size_t)(territory->box.y1 - territory->box.y0);
+    territory->depth = malloc(cells * sizeof *territory->depth);
+    for (size_t i = 0; territory->depth && i < cells; i++) {
+        territory->depth[i] = NONE;
+    }
+    if (!territory->depth || !measure_growth(territory) || !measure_flow(territory)) {
         return false;
     }
-    for (size_t i = 0; i < cells; i++) {
-        units[i] = 1 << 20;
-    }
-    for (int y = 0; y < height; y++) {
-        int32_t *row = units + (size_t)(y + 1) * (size_t)across + 1;
-        const uint8_t *carved = territory->carved + (size_t)y * (size_t)width;
-        for (int x = 0; x < width; x++) {
-            int32_t near = least(row[x - 1], row[x - across]) + CHAMFER;
-            near = least(near, least(row[x - across - 1], row[x - across + 1]) + CHAMFER + 1);
-            row[x] = carved[x] ? 0 : near;
-        }
-    }
-    for (int y = height - 1; y >= 0; y--) {
-        int32_t *row = units + (size_t)(y + 1) * (size_t)across + 1;
-        float *distance = territory->from_carved + (size_t)y * (size_t)width;
-        for (int x = width - 1; x >= 0; x--) {
-            int32_t near = least(row[x + 1], row[x + across]) + CHAMFER;
-            near = least(near, least(row[x + across - 1], row[x + across + 1]) + CHAMFER + 1);
-            row[x] = least(row[x], near);
-            distance[x] = (float)row[x] * (1.0f / CHAMFER);
-        }
-    }
-    free(units);
+    measure_marks(territory);
     return true;
 }
 
-/* The marks that can be the nearest of their kind to any cell of a tile; of very many, the first. */
-struct nearest {
-    const struct mark *marks[NEAREST];
-    int count;
-};
-
-typedef bool mark_choice(const struct territory *territory, const struct mark *mark, uint32_t version);
-
-static struct nearest find_nearest(const struct territory *territory, const struct mark *marks, int count,
-                                   mark_choice *choose, uint32_t version, float x, float y)
+void territory_finish(struct territory *territory)
 {
-    struct nearest nearest = {.count = 0};
-    float best = FAR;
-    for (int i = 0; i < count; i++) {
-        if (choose(territory, &marks[i], version)) {
-            float distance = mark_distance(&marks[i], x, y);
-            best = distance < best ? distance : best;
-        }
+    free(territory->carved);
+    free(territory->depth);
+    territory->carved = NULL;
+    territory->depth = NULL;
+}
+
+/* Whether the ground of a cell was written by the group, and not by others later. */
+static bool is_ground(const struct territory *territory, float x, float y)
+{
+    bool own = false;
+    for (int i = 0; !own && i < territory->own_count; i++) {
+        const struct mark *mark = &territory->own[i];
+        float wider = mark->stamp > mark->radius ? mark->stamp - mark->radius : 0.0f;
+        own = (mark->kind == MARK_GROUND || wider > 0.0f) && mark_distance(mark, x, y) < wider + 1.0f;
     }
-    for (int i = 0; i < count && nearest.count < NEAREST; i++) {
-        if (choose(territory, &marks[i], version) && mark_distance(&marks[i], x, y) <= best + 2.0f * HALF_TILE) {
-            nearest.marks[nearest.count++] = &marks[i];
-        }
+    for (int i = 0; own && i < territory->other_count; i++) {
+        const struct mark *mark = &territory->others[i];
+        float wider = mark->stamp > mark->radius ? mark->stamp - mark->radius : 0.0f;
+        bool theirs = (mark->kind == MARK_GROUND || wider > 0.0f) && mark_distance(mark, x, y) < wider + 1.0f;
+        own = !theirs;
     }
-    return nearest;
+    return own;
 }
 
-static float distance_to(const struct nearest *nearest, float x, float y)
-{
-    float best = FAR;
-    for (int i = 0; i < nearest->count; i++) {
-        float distance = mark_distance(nearest->marks[i], x, y);
-        best = distance < best ? distance : best;
-    }
-    return best;
-}
-
-static bool is_fresh(const struct territory *territory, const struct mark *mark, uint32_t version)
-{
-    (void)territory, (void)version;
-    return mark->kind == MARK_GROWS && !mark->on_pattern;
-}
-
-static bool is_on_pattern(const struct territory *territory, const struct mark *mark, uint32_t version)
-{
-    (void)territory, (void)version;
-    return mark->kind == MARK_GROWS && mark->on_pattern;
-}
-
-static bool is_still(const struct territory *territory, const struct mark *mark, uint32_t version)
-{
-    (void)territory, (void)version;
-    return mark->kind == MARK_STILL;
-}
-
-static bool is_ground(const struct territory *territory, const struct mark *mark, uint32_t version)
-{
-    (void)territory, (void)version;
-    return mark->kind == MARK_GROUND || mark->stamp > 0.0f;
-}
-
-static bool is_later(const struct territory *territory, const struct mark *mark, uint32_t version)
-{
-    return mark->counts && mark->group != territory->group && mark->moment >= version && mark->kind != MARK_GROUND;
-}
-
-/* By how many cells a cell is the group's rather than theirs who did something later: their growth began later, and its
- * own had come some way by then. `own`: distance to the group's nearest mark. */
-static float before_others(const struct territory *territory, const struct nearest *others, float x, float y, float own)
-{
-    float margin = FAR;
-    for (int i = 0; i < others->count; i++) {
-        const struct mark *mark = others->marks[i];
-        float distance = mark_distance(mark, x, y);
-        float late = mark->moment > territory->begin ? (float)(mark->moment - territory->begin) : 0.0f;
-        float lead = distance + late / territory->moments_a_cell - own, core = distance - CORE;
-        margin = lead < margin ? lead : margin;
-        margin = core < margin ? core : margin;
-    }
-    return margin;
-}
-
-struct near {
-    struct nearest fresh, on_pattern, still, ground, others;
-};
-
-static float lesser(float a, float b)
-{
-    return a < b ? a : b;
-}
-
-static float greater(float a, float b)
-{
-    return a > b ? a : b;
-}
-
-/* By how many cells a cell lies inside the territory; `ground`: whether its ground does. */
-static float depth_of(const struct territory *territory, const struct near *near, float x, float y, float from_carved,
-                      uint8_t *ground)
-{
-    float fresh = distance_to(&near->fresh, x, y), flow = distance_to(&near->on_pattern, x, y);
-    float still = distance_to(&near->still, x, y);
-    float grown = lesser(territory->growth - fresh, greater(from_carved - fresh, EDGE - fresh));
-    float depth = greater(grown, greater(territory->flow - flow, EDGE - still));
-    float own = lesser(lesser(fresh, flow), lesser(still, distance_to(&near->ground, x, y)));
-    float later = before_others(territory, &near->others, x, y, own);
-    *ground = 0;
-    for (int i = 0; i < near->ground.count; i++) {
-        const struct mark *mark = near->ground.marks[i];
-        float distance = mark_distance(mark, x, y) + (mark->stamp > 0.0f ? mark->radius - mark->stamp : 0.0f);
-        *ground |= distance < 1.0f && later > 0.0f;
-    }
-    depth = lesser(depth, later);
-    *ground |= depth > 0.0f;
-    return depth;
-}
-
-bool territory_shares(const struct territory *territory, int x, int y, uint32_t version, float share[TILE_CELLS],
+bool territory_shares(const struct territory *territory, int x, int y, float share[TILE_CELLS],
                       uint8_t ground[TILE_CELLS])
 {
     const struct rectangle *box = &territory->box;
-    float middle_x = (float)x + 0.5f * TILE, middle_y = (float)y + 0.5f * TILE;
-    const struct mark *own = territory->own;
-    int count = territory->own_count;
-    struct near near = {
-        .fresh = find_nearest(territory, own, count, is_fresh, version, middle_x, middle_y),
-        .on_pattern = find_nearest(territory, own, count, is_on_pattern, version, middle_x, middle_y),
-        .still = find_nearest(territory, own, count, is_still, version, middle_x, middle_y),
-        .ground = find_nearest(territory, own, count, is_ground, version, middle_x, middle_y),
-        .others =
-            find_nearest(territory, territory->others, territory->other_count, is_later, version, middle_x, middle_y),
-    };
     bool any = false;
     for (int cell = 0; cell < TILE_CELLS; cell++) {
         int column = x + cell % TILE, row = y + cell / TILE;
@@ -205,10 +322,9 @@ bool territory_shares(const struct territory *territory, int x, int y, uint32_t 
             continue;
         }
         size_t at = (size_t)(row - box->y0) * (size_t)(box->x1 - box->x0) + (size_t)(column - box->x0);
-        float depth = depth_of(territory, &near, (float)column + 0.5f, (float)row + 0.5f, territory->from_carved[at],
-                               &ground[cell]);
-        float part = 0.5f + depth / SOFT;
+        float part = 0.5f + territory->depth[at] / SOFT;
         share[cell] = part < 0.0f ? 0.0f : part > 1.0f ? 1.0f : part;
+        ground[cell] = share[cell] >= 0.5f || is_ground(territory, (float)column + 0.5f, (float)row + 0.5f);
         any = any || share[cell] > 0.0f || ground[cell];
     }
     return any;

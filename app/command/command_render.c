@@ -173,7 +173,7 @@ static bool read_order(int argc, char *argv[], struct order *order, int *status)
                 optind < argc ? "one script at a time" : "no script is given");
         return false;
     }
-    if (!order->def.picture) {
+    if (!order->def.picture && !order->def.svg) {
         fprintf(stderr, "frond render: no picture is asked for: -o FILE.png; see frond render --help\n");
         return false;
     }

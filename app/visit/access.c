@@ -10,9 +10,9 @@ static uint64_t microseconds(float seconds)
     return seconds > 0 ? (uint64_t)((double)seconds * 1e6) : 0;
 }
 
-static uint64_t since(uint64_t then_us, uint64_t now_us)
+static uint64_t since(uint64_t from_us, uint64_t to_us)
 {
-    return now_us > then_us ? now_us - then_us : 0; /* times of two devices may cross */
+    return to_us > from_us ? to_us - from_us : 0; /* times of two devices may cross */
 }
 
 void access_init(struct access *access, const struct exhibit_access *def, float dwell_x, float dwell_y)

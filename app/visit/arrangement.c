@@ -169,57 +169,62 @@ static void arrange_garland(struct arrangement *a, struct dice *dice)
         float x = curve[i].x, y = up > 0 ? 1 - curve[i].y : curve[i].y;
         curve[i] = tall ? (struct point){y * w, x * h} : (struct point){x * w, y * h};
     }
-    float s = short_side(a), large[3] = {0.09f * s, 0.25f * s, 0.12f * s};
+    float s = short_side(a), large[3] = {0.12f * s, 0.29f * s, 0.15f * s};
     if (dice_chance(dice, 0.5f)) {
-        large[0] = 0.26f * s, large[1] = 0.17f * s, large[2] = 0.07f * s;
+        large[0] = 0.3f * s, large[1] = 0.2f * s, large[2] = 0.1f * s;
     }
     string(a, dice, curve, large, 0);
     fill(a, dice, 2, 0.12f * s, 0.05f * s);
 }
 
+/* From a place at the edge inwards: a bent stroke, `long_x`, `long_y` cells away at its end. */
+static void sweep_inwards(struct arrangement *a, struct dice *dice, struct point from, float long_x, float long_y)
+{
+    struct point points[ARRANGED_SWEEP_POINTS];
+    float bend = dice_between(dice, -0.3f, 0.3f);
+    for (int i = 0; i < ARRANGED_SWEEP_POINTS; i++) {
+        float t = (float)i / (ARRANGED_SWEEP_POINTS - 1), side = bend * t * t;
+        points[i] = (struct point){from.x + long_x * t - long_y * side, from.y + long_y * t + long_x * side};
+    }
+    add_sweep(a, points, ARRANGED_SWEEP_POINTS, 0.36f * hypotf(long_x, long_y), dice_between(dice, 0.8f, 1.3f));
+}
+
 static void arrange_window(struct arrangement *a, struct dice *dice)
 {
     float w = a->width, h = a->height, s = short_side(a);
-    float x0 = dice_chance(dice, 0.5f) ? 1 : 0, y0 = dice_chance(dice, 0.5f) ? 1 : 0;
+    float in_x = dice_chance(dice, 0.5f) ? -1 : 1, in_y = dice_chance(dice, 0.5f) ? -1 : 1;
+    struct point corner = {in_x < 0 ? w : 0, in_y < 0 ? h : 0};
     int brush = brush_find(dice_chance(dice, 0.6f) ? "frost" : "fern"), other = brush_of(dice, fine, 4);
-    struct point corner = {x0 > 0 ? w : 0, y0 > 0 ? h : 0};
-    float in_x = x0 > 0 ? -1 : 1, in_y = y0 > 0 ? -1 : 1;
-    /* From the corner along both edges, smaller and smaller. */
-    add(a, corner.x + in_x * 0.06f * s, corner.y + in_y * 0.06f * s, 0.48f * s, brush, 1);
-    for (int edge = 0; edge < 2; edge++) {
-        float along = 0.6f * s, r = dice_between(dice, 0.24f, 0.32f) * s;
-        for (int i = 0; i < 5; i++) {
-            float deep = dice_between(dice, 0.02f, 0.07f) * s;
-            struct point at = edge ? (struct point){corner.x + in_x * deep, corner.y + in_y * along}
-                                   : (struct point){corner.x + in_x * along, corner.y + in_y * deep};
-            if (at.x < 0 || at.x > w || at.y < 0 || at.y > h || room_at(a, at.x, at.y, s) < 0.6f * r) {
-                break;
-            }
-            add(a, at.x, at.y, fminf(r, room_at(a, at.x, at.y, s)), dice_chance(dice, 0.7f) ? brush : other, 0.4f);
-            along += r * dice_between(dice, 1.25f, 1.6f);
-            r *= dice_between(dice, 0.66f, 0.82f);
+    float r = dice_between(dice, 0.44f, 0.54f) * s;
+    struct point at = {corner.x + in_x * 0.05f * s, corner.y + in_y * 0.05f * s};
+    add(a, at.x, at.y, r, brush, 1);
+    r = a->blooms[0].r;
+    sweep_inwards(a, dice, at, in_x * 1.1f * r, in_y * 0.75f * r);
+    /* Along both edges, smaller and smaller. */
+    float next[2] = {r, r}, along[2] = {r, r};
+    for (int i = 0; i < 8; i++) {
+        int edge = i % 2;
+        next[edge] *= dice_between(dice, 0.62f, 0.78f);
+        along[edge] += next[edge] * dice_between(dice, 0.75f, 1.0f);
+        float deep = dice_between(dice, 0.01f, 0.04f) * s;
+        at = edge ? (struct point){corner.x + in_x * deep, corner.y + in_y * along[edge]}
+                  : (struct point){corner.x + in_x * along[edge], corner.y + in_y * deep};
+        if (at.x > 0 && at.x < w && at.y > 0 && at.y < h && next[edge] > 0.06f * s) {
+            add(a, at.x, at.y, next[edge], dice_chance(dice, 0.75f) ? brush : other, 0.4f);
+            sweep_inwards(a, dice, at, in_x * (edge ? 1.1f : 0.5f) * next[edge],
+                          in_y * (edge ? 0.5f : 1.1f) * next[edge]);
         }
-    }
-    /* Inwards, bent. */
-    for (int i = 0; i < 2; i++) {
-        struct point points[ARRANGED_SWEEP_POINTS];
-        float bend = dice_between(dice, 0.3f, 0.7f), lean = i ? 0.35f : 1.0f;
-        for (int j = 0; j < ARRANGED_SWEEP_POINTS; j++) {
-            float t = (float)j / (ARRANGED_SWEEP_POINTS - 1);
-            points[j] =
-                (struct point){corner.x + in_x * s * (0.05f + 0.75f * t * lean),
-                               corner.y + in_y * s * (0.05f + 0.75f * t * (1.35f - lean) + bend * 0.2f * t * t)};
-        }
-        add_sweep(a, points, ARRANGED_SWEEP_POINTS, 0.2f * s, dice_between(dice, 0.8f, 1.3f));
+        along[edge] += next[edge];
     }
     /* Flakes in what stays clear. */
-    float far_x = corner.x + in_x * 0.72f * w, far_y = corner.y + in_y * 0.68f * h;
-    float r = 0.1f * s;
-    for (int i = 0; i < 3; i++) {
-        float x = far_x + dice_between(dice, -0.16f, 0.16f) * w, y = far_y + dice_between(dice, -0.2f, 0.2f) * h;
-        if (room_at(a, x, y, 0) > r) {
+    r = 0.11f * s;
+    for (int i = 0; i < 40 && r > 0.05f * s; i++) {
+        float x = corner.x + in_x * dice_between(dice, 0.4f, 0.95f) * w;
+        float y = corner.y + in_y * dice_between(dice, 0.4f, 0.95f) * h;
+        float room = arrangement_room(a, x, y, NULL);
+        if (room > 1.2f * r && room < 3.5f * r) {
             add(a, x, y, r, other, 0);
-            r *= 0.7f;
+            r *= dice_between(dice, 0.6f, 0.85f);
         }
     }
 }
@@ -290,6 +295,16 @@ static void arrange_moon(struct arrangement *a, struct dice *dice)
     }
     add_sweep(a, points, ARRANGED_SWEEP_POINTS, 0.2f * s, dice_between(dice, 0.7f, 1.2f));
     fill(a, dice, 1 + dice_of(dice, 2), 0.1f * s, 0.05f * s);
+}
+
+float arrangement_room(const struct arrangement *arrangement, float x, float y, const struct bloom *but)
+{
+    float room = fminf(fminf(x, arrangement->width - x), fminf(y, arrangement->height - y));
+    for (int i = 0; i < arrangement->count; i++) {
+        const struct bloom *bloom = &arrangement->blooms[i];
+        room = bloom == but ? room : fminf(room, hypotf(x - bloom->x, y - bloom->y) - bloom->r);
+    }
+    return room;
 }
 
 void arrange(struct arrangement *arrangement, enum arrangement_kind kind, float width, float height, float longest,

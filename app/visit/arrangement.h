@@ -19,7 +19,7 @@ enum arrangement_kind {
 
 enum {
     ARRANGED_BLOOMS = 20,
-    ARRANGED_SWEEPS = 6,
+    ARRANGED_SWEEPS = 10,
     ARRANGED_SWEEP_POINTS = 8,
 };
 
@@ -49,5 +49,8 @@ struct arrangement {
 /* `longest`: no bloom is larger, cells. */
 void arrange(struct arrangement *arrangement, enum arrangement_kind kind, float width, float height, float longest,
              struct dice *dice);
+
+/* Cells from a place to the nearest bloom's rim, `but` one, or the edge of the sheet; below 0 within or beyond. */
+float arrangement_room(const struct arrangement *arrangement, float x, float y, const struct bloom *but);
 
 #endif

@@ -67,7 +67,7 @@ static void post_drop(struct composer *composer, const struct bloom *bloom, int 
     drop.has_at = true;
     drop.ink = ink;
     drop.radius = DROP_RADIUS * dice_between(composer->dice, 0.9f, 1.1f);
-    drop.solvent = 20 + 1.4f * share_of_size(bloom);
+    drop.solvent = 12 + 0.6f * share_of_size(bloom);
     drop.amount = 15 + 0.62f * share_of_size(bloom);
     drop.edge = EDGE_RAGGED;
     drop.brush = bloom->brush;
@@ -85,7 +85,7 @@ static void post_end(struct composer *composer, const struct bloom *bloom, int64
     set.at = place(composer, bloom->x, bloom->y);
     set.has_at = true;
     set.value = 0;
-    set.radius = 1.7f * bloom->r;
+    set.radius = 2.0f * bloom->r;
     post(composer, &set, tick, -1);
 }
 
@@ -116,7 +116,17 @@ static void post_stroke(struct composer *composer, struct action *stroke, const 
 static void post_pull(struct composer *composer, const struct bloom *bloom, int64_t tick)
 {
     struct point points[SEGMENTS + 1];
-    float angle = dice_between(composer->dice, 0, 2 * PI), bend = dice_between(composer->dice, -0.9f, 0.9f);
+    float angle = 0, bend = dice_between(composer->dice, -0.8f, 0.8f), most = 0;
+    for (int i = 0; i < 8; i++) { /* where there is room */
+        float other = dice_between(composer->dice, 0, 2 * PI), away = 1.3f * bloom->r;
+        float x = bloom->x + away * cosf(other + bend), y = bloom->y + away * sinf(other + bend);
+        float room = arrangement_room(&composer->arrangement, x, y, bloom);
+        angle = room > most ? other : angle;
+        most = fmaxf(room, most);
+    }
+    if (most < 0.12f * bloom->r) {
+        return;
+    }
     for (int i = 0; i <= SEGMENTS; i++) {
         float share = (float)i / SEGMENTS, away = bloom->r * (0.35f + 0.95f * share);
         points[i] = place(composer, bloom->x + away * cosf(angle + bend * share * share),
@@ -173,22 +183,22 @@ static void post_bloom(struct composer *composer, int i)
 static void post_sweep(struct composer *composer, const struct sweep *sweep)
 {
     const struct arrangement *a = &composer->arrangement;
-    struct point middle = sweep->points[sweep->count / 2], points[ARRANGED_SWEEP_POINTS];
-    int nearest = 0;
-    float least = INFINITY;
-    for (int i = 0; i < a->count; i++) {
-        float away = hypotf(a->blooms[i].x - middle.x, a->blooms[i].y - middle.y);
-        nearest = away < least ? i : nearest;
-        least = fminf(away, least);
-    }
+    struct point points[ARRANGED_SWEEP_POINTS];
+    int64_t first = composer->end;
     for (int i = 0; i < sweep->count; i++) {
         points[i] = place(composer, sweep->points[i].x, sweep->points[i].y);
+        for (int j = 0; j < a->count; j++) { /* before the first bloom that it reaches has grown much */
+            const struct bloom *bloom = &a->blooms[j];
+            float away = hypotf(bloom->x - sweep->points[i].x, bloom->y - sweep->points[i].y);
+            first = away < bloom->r && composer->starts[j] < first ? composer->starts[j] : first;
+        }
     }
     struct action guide = action_default(ACTION_GUIDE);
     guide.path = (struct action_path){points, sweep->count};
     guide.radius = sweep->radius;
     guide.strength = sweep->strength;
-    post(composer, &guide, composer->starts[nearest] + seconds(composer, 2.6f), (int)seconds(composer, 1.4f));
+    post(composer, &guide, first + seconds(composer, dice_between(composer->dice, 2.4f, 3.4f)),
+         (int)seconds(composer, 1.4f));
 }
 
 /* Small ones, late, in twos and threes. */
@@ -199,11 +209,8 @@ static void post_splashes(struct composer *composer)
     int groups = 2 + dice_of(dice, 3);
     for (int i = 0, tries = 0; i < groups && tries < 200; tries++) {
         float x = dice_between(dice, 0.04f, 0.96f) * a->width, y = dice_between(dice, 0.04f, 0.96f) * a->height;
-        float room = INFINITY;
-        for (int j = 0; j < a->count; j++) {
-            room = fminf(room, hypotf(x - a->blooms[j].x, y - a->blooms[j].y) - a->blooms[j].r);
-        }
-        if (room < 0.03f * fminf(a->width, a->height) + 8 || room > 0.2f * fminf(a->width, a->height)) {
+        float room = arrangement_room(a, x, y, NULL), side = fminf(a->width, a->height);
+        if (room < 0.03f * side + 8 || room > 0.14f * side) {
             continue;
         }
         float share = ((float)i + dice_between(dice, 0.2f, 0.8f)) / (float)groups;
@@ -214,12 +221,12 @@ static void post_splashes(struct composer *composer)
             drop.at = place(composer, x, y);
             drop.has_at = true;
             drop.ink = ink;
-            drop.radius = dice_between(dice, 1.6f, 2.8f) / (1 + 0.4f * (float)j);
-            drop.solvent = 40;
-            drop.amount = 45;
+            drop.radius = dice_between(dice, 1.5f, 2.6f) / (1 + 0.4f * (float)j);
+            drop.solvent = 14;
+            drop.amount = 40;
             post(composer, &drop, tick, (int)seconds(composer, 0.1f));
             tick += seconds(composer, dice_between(dice, 0.6f, 1.1f));
-            float angle = dice_between(dice, 0, 2 * PI), away = dice_between(dice, 26, 34);
+            float angle = dice_between(dice, 0, 2 * PI), away = dice_between(dice, 18, 28);
             x += away * cosf(angle);
             y += away * sinf(angle);
         }

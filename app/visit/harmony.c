@@ -29,19 +29,29 @@ static int by_hue(const struct harmony *harmony, int from, bool nearest)
     return best;
 }
 
+/* Hue in turns, and how strong the colour is, of two inks together. */
+static float colour_of(int one, int other, float *hue)
+{
+    const int both[INK_PALETTE] = {one, other, one, one};
+    static const float thickness[INK_PALETTE] = {0.6f, 0.6f};
+    float rgb[3];
+    ink_mix(both, thickness, rgb);
+    float r = ink_encode(rgb[0]), g = ink_encode(rgb[1]), b = ink_encode(rgb[2]);
+    float x = r - (g + b) / 2, y = 0.8660254f * (g - b);
+    *hue = atan2f(y, x) / TURN + 0.5f;
+    return hypotf(x, y);
+}
+
 void harmony_init(struct harmony *harmony, const int *of, int count, struct dice *dice)
 {
     *harmony = (struct harmony){.count = count};
     int coloured[PAINTING_INKS], coloured_count = 0;
     for (int i = 0; i < count; i++) {
-        const int one[INK_PALETTE] = {of[i], of[i], of[i], of[i]};
-        static const float thickness[INK_PALETTE] = {1};
-        float rgb[3];
-        ink_mix(one, thickness, rgb);
-        float r = ink_encode(rgb[0]), g = ink_encode(rgb[1]), b = ink_encode(rgb[2]);
-        float x = r - (g + b) / 2, y = 0.8660254f * (g - b);
-        harmony->hue[i] = atan2f(y, x) / TURN + 0.5f;
-        harmony->colour[i] = hypotf(x, y);
+        harmony->colour[i] = colour_of(of[i], of[i], &harmony->hue[i]);
+        for (int j = 0; j < count; j++) {
+            float hue;
+            harmony->mixed[i][j] = colour_of(of[i], of[j], &hue);
+        }
         if (harmony->colour[i] >= GREY) {
             coloured[coloured_count++] = i;
         }
@@ -51,23 +61,35 @@ void harmony_init(struct harmony *harmony, const int *of, int count, struct dice
     harmony->accent = by_hue(harmony, harmony->lead, false);
 }
 
+/* What runs through an ink: another hue, and no mud where the two mix. */
+static int partner(const struct harmony *harmony, int first, struct dice *dice)
+{
+    float scores[PAINTING_INKS], sum = 0;
+    for (int i = 0; i < harmony->count; i++) {
+        float score = i == first ? 0 : harmony->mixed[first][i] * (0.15f + apart(harmony, first, i));
+        scores[i] = score * score;
+        sum += scores[i];
+    }
+    float left = dice_between(dice, 0, sum);
+    for (int i = 0; i < harmony->count; i++) {
+        left -= scores[i];
+        if (scores[i] > 0 && left <= 0) {
+            return i;
+        }
+    }
+    return first;
+}
+
 struct harmony_pair harmony_choose(const struct harmony *harmony, float weight, int number, struct dice *dice)
 {
     struct harmony_pair pair = {.first = harmony->lead};
     if (weight < 0.9f) {
-        int turn = (number + dice_of(dice, 2)) % 4;
-        pair.first = turn == 1 ? harmony->accent : turn == 3 ? harmony->lead : harmony->near;
-        if (harmony->count > 3 && dice_chance(dice, 0.25f)) {
-            pair.first = harmony_any(harmony, dice);
-        }
+        const int turns[] = {harmony->near, harmony->accent, harmony->lead, harmony_any(harmony, dice)};
+        pair.first = turns[(number + dice_of(dice, 2)) % 4];
     }
-    pair.second = by_hue(harmony, pair.first, true);
-    if (dice_chance(dice, 0.2f)) {
-        pair.second = harmony->lead == pair.first ? harmony->accent : harmony->lead;
-    }
+    pair.second = partner(harmony, pair.first, dice);
     pair.third = dice_chance(dice, 0.5f) ? pair.first : pair.second;
-    /* What lies across the circle makes mud where there is much of it. */
-    pair.share = 0.6f - 0.8f * apart(harmony, pair.first, pair.second);
+    pair.share = 0.2f + 0.9f * harmony->mixed[pair.first][pair.second];
     return pair;
 }
 

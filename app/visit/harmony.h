@@ -9,6 +9,7 @@
 struct harmony {
     int count;
     float hue[PAINTING_INKS], colour[PAINTING_INKS]; /* turns; how strong, 0 is grey */
+    float mixed[PAINTING_INKS][PAINTING_INKS];       /* how strong the colour of two together is */
     int lead, near, accent;                          /* inks of the scene */
 };
 

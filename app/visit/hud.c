@@ -97,6 +97,15 @@ void hud_layout(struct hud *hud)
     hud_layout_staff(hud);
 }
 
+void hud_choose(struct hud *hud, int panel, int tool, int ink)
+{
+    struct hud_panel *of = &hud->panels[panel];
+    of->tool = tool >= 0 ? tool : of->tool;
+    of->ink = ink >= 0 ? ink : of->ink;
+    check_panel(hud, panel);
+    hud_layout_panel(hud, panel); /* moves nothing, but a folded button shows what is chosen */
+}
+
 void hud_reset(struct hud *hud)
 {
     for (int i = 0; i < hud->count; i++) {

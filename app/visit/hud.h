@@ -50,7 +50,7 @@ struct hud_panel {
     int labels;                /* lines of words that there is room for under each button, 0..2 */
     int lines;                 /* of buttons: columns of a strip that stands, rows of one at the bottom */
     int open;                  /* enum hud_kind of the group that is shown in place of the rest; -1: none */
-    int tool, ink;             /* chosen */
+    int tool, ink;             /* chosen; to be set by hud_choose */
     bool can_undo, can_redo;   /* set by the kiosk */
     int scanned;               /* the button that one-switch play is at; -1: none. Set by the kiosk */
     bool swapped;              /* hands: left and right change places */
@@ -98,6 +98,8 @@ struct hud_press {
  * and must stay. */
 void hud_init(struct hud *hud, const struct hud_def *def);
 void hud_layout(struct hud *hud);
+/* Tool and ink of a panel, when they are chosen by other means (a button of a controller, say); -1: that one stays. */
+void hud_choose(struct hud *hud, int panel, int tool, int ink);
 /* A new visit: everything as at first, but what is shown, and fingers that are down stay the palette's until they
  * leave. */
 void hud_reset(struct hud *hud);

@@ -7,7 +7,6 @@
 #include "hud_icon.h"
 #include "hud_image.h"
 #include "hud_layout.h"
-#include "ink.h"
 
 static const struct pen_colour SCANNED = {0, 0.3, 0.95};
 static const double SQUEEZED_LINE = 0.83; /* letters are made narrower down to this before words take a second line */
@@ -65,11 +64,7 @@ static uint64_t panel_key(const struct hud *hud, int number)
 /* The ink that icons drip: the chosen one, bright enough for its ground. */
 static struct pen_colour wet_of(const struct board *board, bool dark)
 {
-    int ink = hud_ink(board->hud, board->panel->ink);
-    if (ink == INK_NONE) {
-        return pen_between(pen_paper, pen_dark, 0.4);
-    }
-    struct pen_colour colour = pen_ink(ink, 0.8);
+    struct pen_colour colour = hud_ink_colour(board->hud, board->panel->ink, 0.8);
     for (int i = 0; i < 8 && dark && pen_luminance(colour) < 0.18; i++) {
         colour = pen_between(colour, pen_paper, 0.2);
     }
@@ -139,7 +134,11 @@ static void draw_ink(const struct board *board, const struct hud_button *button,
         cairo_set_line_width(pen->cairo, 1.2 * board->mm);
         cairo_stroke(pen->cairo);
     }
-    hud_icon_ink(pen, hud_ink(board->hud, button->value), button->value, x, y, 0.44 * side, !chosen);
+    struct pen_colour colours[3];
+    for (int i = 0; i < 3; i++) {
+        colours[i] = hud_ink_colour(board->hud, button->value, 0.75 + 0.375 * i);
+    }
+    hud_icon_ink(pen, colours, button->value, x, y, 0.44 * side, !chosen);
 }
 
 static void draw_ground(const struct board *board, int index, double x, double y)
@@ -258,7 +257,7 @@ bool hud_draw_cursor(const struct hud *hud, int ink, float share, struct hud_ima
 {
     enum { STEPS = 60 };
     struct pen pen;
-    int step = (int)lroundf(fminf(fmaxf(share, 0), 1) * STEPS), of = hud_ink(hud, ink);
+    int step = (int)lroundf(fminf(fmaxf(share, 0), 1) * STEPS);
     double mm = (double)hud->mm;
     int side = 2 * (int)ceil(9.5 * mm);
     uint64_t key = pen_hash_int(pen_hash_int(hud_key(hud, PIECE_CURSOR), ink), step);
@@ -266,7 +265,10 @@ bool hud_draw_cursor(const struct hud *hud, int ink, float share, struct hud_ima
         return false;
     }
     double middle = 0.5 * side;
-    struct pen_colour colour = of == INK_NONE ? pen_dark : pen_ink(of, 1);
+    struct pen_colour colour = hud_ink_colour(hud, ink, 1);
+    cairo_arc(pen.cairo, middle, middle, 4.4 * mm, 0, 2 * G_PI);
+    pen_set(&pen, pen_paper, 0.8);
+    cairo_fill(pen.cairo);
     const double widths[] = {3.2, 2.2, 1.5};
     const struct pen_colour colours[] = {pen_paper, pen_dark, colour};
     for (int i = 0; i < 3; i++) { /* seen on any painting: dark between paper */
@@ -276,12 +278,8 @@ bool hud_draw_cursor(const struct hud *hud, int ink, float share, struct hud_ima
         cairo_set_line_width(pen.cairo, widths[i] * mm);
         cairo_stroke(pen.cairo);
     }
-    for (int i = 0; i < 2; i++) {
-        pen_set(&pen, i == 0 ? pen_paper : pen_dark, 1);
-        cairo_save(pen.cairo);
-        hud_icon_mark(&pen, ink, middle, middle, (i == 0 ? 1.9 : 1.7) * mm);
-        cairo_restore(pen.cairo);
-    }
+    pen_set(&pen, pen_dark, 1);
+    hud_icon_mark(&pen, ink, middle, middle, 1.9 * mm);
     for (int i = 0; i < 2 && step > 0; i++) {
         cairo_new_path(pen.cairo);
         cairo_arc(pen.cairo, middle, middle, 7.6 * mm, -0.5 * G_PI, -0.5 * G_PI + 2 * G_PI * step / STEPS);
@@ -314,5 +312,5 @@ bool hud_draw_mark(const struct hud *hud, struct hud_image *image)
         cairo_line_to(pen.cairo, 0.5 * side, 0.71 * side);
         cairo_stroke(pen.cairo);
     }
-    return hud_image_end(image, key, hud->def.width - side - edge, edge, &pen);
+    return hud_image_end(image, key, (hud->def.width - side) / 2, edge, &pen);
 }

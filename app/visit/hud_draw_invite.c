@@ -5,7 +5,6 @@
 #include "hud_draw.h"
 #include "hud_icon.h"
 #include "hud_image.h"
-#include "ink.h"
 
 /* What happens at which phase of HUD_PHASES. */
 static const double TOUCHES = 5, LIFTS = 9, GONE = 14, GROWS = 6, GROWN = 20, FADES = 21;
@@ -55,12 +54,12 @@ static void grow(struct frost *frost, double x, double y, double angle, double l
     }
 }
 
-static void draw_frost(const struct pen *pen, int ink, double x, double y, double size, double share)
+static void draw_frost(const struct hud *hud, const struct pen *pen, double x, double y, double size, double share)
 {
     enum { ARMS = 8 };
     struct frost frost = {.pen = pen, .size = size, .reach = 1.1 * size * share};
-    frost.thick = ink == INK_NONE ? pen_dark : pen_ink(ink, 1.7);
-    frost.thin = ink == INK_NONE ? pen_dark : pen_ink(ink, 0.45);
+    frost.thick = hud_ink_colour(hud, 0, 1.7);
+    frost.thin = hud_ink_colour(hud, 0, 0.45);
     for (int order = 0; order < ARMS && share > 0; order++) {
         frost.seed = 902 + 17 * (unsigned)order;
         double angle = 2 * G_PI * (order + 0.5 * (pen_chance(frost.seed, 0) - 0.5)) / ARMS;
@@ -87,7 +86,7 @@ static void draw_glow(const struct pen *pen, double width, double height)
 {
     cairo_pattern_t *glow = cairo_pattern_create_radial(0, 0, 0, 0, 0, 1);
     const struct pen_colour *paper = &pen_paper;
-    static const double STOPS[][2] = {{0, 0.92}, {0.45, 0.86}, {0.62, 0.68}, {0.8, 0.3}, {0.92, 0.07}, {1, 0}};
+    static const double STOPS[][2] = {{0, 0.96}, {0.45, 0.92}, {0.62, 0.76}, {0.8, 0.34}, {0.92, 0.08}, {1, 0}};
     for (size_t i = 0; i < sizeof STOPS / sizeof STOPS[0]; i++) {
         cairo_pattern_add_color_stop_rgba(glow, STOPS[i][0], paper->red, paper->green, paper->blue, STOPS[i][1]);
     }
@@ -106,10 +105,9 @@ static void draw_phase(const struct hud *hud, const struct pen *pen, double phas
     double seen = 1 - along(phase, FADES, HUD_PHASES), down = along(phase, -1, TOUCHES);
     double up = along(phase, LIFTS, GONE), away = 22 * unit * (1 - down + 0.8 * up);
     struct hud_icon_style style = {.line = pen_dark, .ground = {1, 1, 1}};
-    int ink = hud_ink(hud, 0);
-    style.wet = ink == INK_NONE ? pen_dark : pen_ink(ink, 1);
+    style.wet = hud_ink_colour(hud, 0, 1);
     cairo_push_group(pen->cairo);
-    draw_frost(pen, ink, x, y, SIZE * unit, along(phase, GROWS - 1, GROWN) * (phase >= GROWS));
+    draw_frost(hud, pen, x, y, SIZE * unit, along(phase, GROWS - 1, GROWN) * (phase >= GROWS));
     if (phase >= TOUCHES) {
         pen_blot(pen, x, y, (2.2 + 2 * along(phase, TOUCHES, TOUCHES + 3)) * unit, 0.1, 31);
         pen_set(pen, style.wet, 1);

@@ -4,7 +4,6 @@
 #include "hud_draw.h"
 #include "hud_icon.h"
 #include "hud_image.h"
-#include "ink.h"
 
 /* A card in the middle of the sheet; its edge on all sides is for the shadow. */
 struct card {
@@ -49,12 +48,6 @@ static bool measure(const struct pen_words *words, int count, double *widest, do
     return true;
 }
 
-static struct pen_colour colour_of(const struct hud *hud, double thickness)
-{
-    int ink = hud_ink(hud, 0);
-    return ink == INK_NONE ? pen_dark : pen_ink(ink, thickness);
-}
-
 /* What is left of the time, from the top clockwise; behind it what has gone. */
 static void draw_ring(const struct hud *hud, const struct pen *pen, double x, double y, double radius, double share)
 {
@@ -65,7 +58,7 @@ static void draw_ring(const struct hud *hud, const struct pen *pen, double x, do
     cairo_set_line_width(pen->cairo, 0.13 * radius);
     cairo_stroke(pen->cairo);
     if (share > 0) {
-        pen_set(pen, colour_of(hud, 1), 1);
+        pen_set(pen, hud_ink_colour(hud, 0, 1), 1);
         cairo_arc(pen->cairo, x, y, radius, -0.5 * G_PI, end);
         cairo_set_line_width(pen->cairo, 0.17 * radius);
         cairo_stroke(pen->cairo);
@@ -121,12 +114,9 @@ static void draw_ornament(const struct hud *hud, const struct pen *pen, double x
                                     {x + 3.6 * side * size, y - 0.06 * size}};
         pen_brush(pen, points, 3, 0.16 * size, 0.1 * size, 0.02 * size);
     }
-    int ink = hud_ink(hud, 0);
-    if (ink != INK_NONE) {
-        pen_blot(pen, x, y, 0.34 * size, 0.14, 31);
-        pen_set(pen, pen_ink(ink, 1), 1);
-        cairo_fill(pen->cairo);
-    }
+    pen_blot(pen, x, y, 0.34 * size, 0.14, 31);
+    pen_set(pen, hud_ink_colour(hud, 0, 1), 1);
+    cairo_fill(pen->cairo);
 }
 
 bool hud_draw_sentence(const struct hud *hud, enum exhibit_text text, struct hud_image *image)

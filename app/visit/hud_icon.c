@@ -355,9 +355,15 @@ void hud_icon_mark(const struct pen *pen, int number, double x, double y, double
     cairo_restore(pen->cairo);
 }
 
-void hud_icon_ink(const struct pen *pen, int ink, int number, double x, double y, double radius, bool splashes)
+struct pen_colour hud_icon_mark_colour(struct pen_colour ink)
 {
-    struct pen_colour thin = pen_ink(ink, 0.75), thick = pen_ink(ink, 1.5), middle = pen_ink(ink, 1);
+    return pen_luminance(ink) > 0.19 ? pen_dark : pen_paper;
+}
+
+void hud_icon_ink(const struct pen *pen, const struct pen_colour colours[3], int number, double x, double y,
+                  double radius, bool splashes)
+{
+    struct pen_colour thin = colours[0], middle = colours[1], thick = colours[2];
     unsigned seed = 31 + (unsigned)number;
     cairo_new_path(pen->cairo);
     for (unsigned i = 0; i < 5 && splashes; i++) {
@@ -381,7 +387,7 @@ void hud_icon_ink(const struct pen *pen, int ink, int number, double x, double y
     pen_set(pen, thick, 0.7);
     cairo_set_line_width(pen->cairo, 0.05 * radius);
     cairo_stroke(pen->cairo);
-    pen_set(pen, pen_luminance(middle) > 0.3 ? pen_dark : pen_paper, 0.92);
+    pen_set(pen, hud_icon_mark_colour(middle), 1);
     hud_icon_mark(pen, number, x, y, 0.3 * radius);
 }
 

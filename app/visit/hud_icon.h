@@ -31,10 +31,13 @@ struct hud_icon_style {
 /* A pictogram within `radius` pixels around x, y. */
 void hud_icon_draw(const struct pen *pen, enum hud_icon icon, double x, double y, double radius,
                    const struct hud_icon_style *style);
-/* An ink as a blot of itself: `ink` of ink.h. The mark on it, by its number of the scene's inks, is for those who do
- * not see its colour: a ring, a triangle, a square, a wave. Splashes go a tenth beyond the
- * radius. */
-void hud_icon_ink(const struct pen *pen, int ink, int number, double x, double y, double radius, bool splashes);
+/* An ink as a blot of itself, in its colours where it is thin, inked and thick. The mark on it, by its number of the
+ * scene's inks, is for those who do not see its colour: a ring, a triangle, a square, a wave. Splashes go a tenth
+ * beyond the radius. */
+void hud_icon_ink(const struct pen *pen, const struct pen_colour colours[3], int number, double x, double y,
+                  double radius, bool splashes);
+/* The colour of a mark on an ink. */
+struct pen_colour hud_icon_mark_colour(struct pen_colour ink);
 /* The mark alone. */
 void hud_icon_mark(const struct pen *pen, int number, double x, double y, double radius);
 /* A hand that points, the tip of its finger at x, y; `size` from the tip to the wrist. */

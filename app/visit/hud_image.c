@@ -20,7 +20,8 @@ uint64_t hud_key(const struct hud *hud, enum hud_piece piece)
     key = pen_hash_int(pen_hash_int(key, hud->def.width), hud->def.height);
     key = pen_hash(key, &hud->mm, sizeof hud->mm);
     for (int i = 0; i < PAINTING_INKS; i++) {
-        key = pen_hash_int(key, hud_ink(hud, i));
+        struct pen_colour colour = hud_ink_colour(hud, i, 1);
+        key = pen_hash(pen_hash_int(key, hud_ink(hud, i)), &colour, sizeof colour);
     }
     return pen_hash_text(key, hud_tag(hud->language));
 }
@@ -59,6 +60,15 @@ int hud_ink(const struct hud *hud, int number)
 {
     const struct exhibit *exhibit = hud->def.exhibit;
     return number >= 0 && number < hud_inks(hud) ? exhibit->scenes[hud->def.scene].script->inks[number] : INK_NONE;
+}
+
+struct pen_colour hud_ink_colour(const struct hud *hud, int number, double thickness)
+{
+    int ink = hud_ink(hud, number);
+    if (ink == INK_NONE) {
+        return pen_dark;
+    }
+    return pen_ink(ink, hud->def.exhibit->scenes[hud->def.scene].script->mode, thickness);
 }
 
 const char *hud_text(const struct hud *hud, enum exhibit_text text)

@@ -1,9 +1,11 @@
 #include "pen.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "ink.h"
+#include "ink_table.h"
 
 const struct pen_colour pen_paper = {0.988, 0.978, 0.957}, pen_dark = {0.17, 0.16, 0.2};
 
@@ -72,11 +74,15 @@ struct pen_colour pen_between(struct pen_colour from, struct pen_colour to, doub
                                from.blue + share * (to.blue - from.blue)};
 }
 
-struct pen_colour pen_ink(int ink, double thickness)
+struct pen_colour pen_ink(int ink, int mixing, double thickness)
 {
     const int mixed[INK_PALETTE] = {ink, INK_NONE, INK_NONE, INK_NONE};
     const float thick[INK_PALETTE] = {(float)thickness};
     float rgb[3];
+    if (mixing == INK_CMY) {
+        ink_mix_cmy(mixed, thick, rgb);
+        return (struct pen_colour){(double)rgb[0], (double)rgb[1], (double)rgb[2]};
+    }
     ink_mix(mixed, thick, rgb);
     return (struct pen_colour){(double)ink_encode(fminf(rgb[0], 1)), (double)ink_encode(fminf(rgb[1], 1)),
                                (double)ink_encode(fminf(rgb[2], 1))};
@@ -229,6 +235,82 @@ void pen_draw_card(const struct pen *pen, double x, double y, double width, doub
     cairo_stroke(pen->cairo);
 }
 
+static int measure_width(const struct pen *pen)
+{
+    int width;
+    pango_layout_get_size(pen->layout, &width, NULL);
+    return width;
+}
+
+/* Where a text is best broken in two, after a mark that ends a part of it: bytes, 0 for nowhere. */
+static size_t find_break(const char *text)
+{
+    static const char *const MARKS[] = {". ", "! ", "? ", ": ", ", ", "\xe3\x80\x81", "\xe3\x80\x82"};
+    size_t length = strlen(text), best = 0;
+    for (size_t i = 0; i < sizeof MARKS / sizeof MARKS[0]; i++) {
+        for (const char *found = text; (found = strstr(found, MARKS[i]));) {
+            found += strlen(MARKS[i]);
+            size_t at = (size_t)(found - text), other = best > length - best ? best : length - best;
+            if ((at > length - at ? at : length - at) < other && at < length) {
+                best = at;
+            }
+        }
+    }
+    return best;
+}
+
+/* Breaks there, if both parts then fit. */
+static bool break_at_mark(const struct pen *pen, const struct pen_words *words)
+{
+    char broken[400];
+    size_t at = find_break(words->text), length = strlen(words->text);
+    if (at == 0 || length + 2 > sizeof broken) {
+        return false;
+    }
+    snprintf(broken, sizeof broken, "%.*s\n%s", (int)at, words->text, words->text + at);
+    pango_layout_set_text(pen->layout, broken, -1);
+    if (measure_width(pen) <= words->width * PANGO_SCALE) {
+        return true;
+    }
+    pango_layout_set_text(pen->layout, words->text, -1);
+    return false;
+}
+
+/* The narrowest that takes no more lines: they come out about the same length. */
+static void balance(const struct pen *pen, int most)
+{
+    int least = 0;
+    pango_layout_set_width(pen->layout, most);
+    int lines = pango_layout_get_line_count(pen->layout);
+    for (int i = 0; i < 8; i++) {
+        int middle = least + (most - least) / 2;
+        pango_layout_set_width(pen->layout, middle);
+        bool fits = pango_layout_get_line_count(pen->layout) <= lines && measure_width(pen) <= middle;
+        *(fits ? &most : &least) = middle;
+    }
+    pango_layout_set_width(pen->layout, most);
+}
+
+static void set_text(const struct pen *pen, const char *text)
+{
+    if (g_utf8_validate(text, -1, NULL)) {
+        pango_layout_set_text(pen->layout, text, -1);
+    } else { /* the name of a device, say */
+        char *valid = g_utf8_make_valid(text, -1);
+        pango_layout_set_text(pen->layout, valid, -1);
+        g_free(valid);
+    }
+}
+
+/* Fonts differ in the height of their lines: some leave a gap, some none. */
+static void space_lines(const struct pen *pen, double size)
+{
+    PangoRectangle line;
+    pango_layout_line_get_extents(pango_layout_get_line_readonly(pen->layout, 0), NULL, &line);
+    double high = fmax((double)line.height / PANGO_SCALE, 1);
+    pango_layout_set_line_spacing(pen->layout, (float)(fmax(0.95 * high, 1.2 * size) / high));
+}
+
 static void set_words(const struct pen *pen, const struct pen_words *words)
 {
     PangoFontDescription *font = pango_font_description_from_string(words->bold ? FONTS : "Quicksand Medium," FONTS);
@@ -241,26 +323,11 @@ static void set_words(const struct pen *pen, const struct pen_words *words)
     pango_layout_set_alignment(pen->layout, PANGO_ALIGN_CENTER);
     pango_layout_set_wrap(pen->layout, PANGO_WRAP_WORD);
     pango_layout_set_width(pen->layout, -1);
-    pango_layout_set_line_spacing(pen->layout, 0.95F);
-    pango_layout_set_text(pen->layout, words->text, -1);
-    int wide;
-    pango_layout_get_size(pen->layout, &wide, NULL);
-    if (words->width <= 0 || wide <= words->width * PANGO_SCALE) {
-        return;
+    set_text(pen, words->text);
+    space_lines(pen, words->size);
+    if (words->width > 0 && measure_width(pen) > words->width * PANGO_SCALE && !break_at_mark(pen, words)) {
+        balance(pen, (int)(words->width * PANGO_SCALE));
     }
-    /* The narrowest that takes no more lines: they come out about the same length. */
-    int least = 0, most = (int)(words->width * PANGO_SCALE);
-    pango_layout_set_width(pen->layout, most);
-    int lines = pango_layout_get_line_count(pen->layout);
-    for (int i = 0; i < 8; i++) {
-        int middle = least + (most - least) / 2;
-        pango_layout_set_width(pen->layout, middle);
-        int ink;
-        pango_layout_get_size(pen->layout, &ink, NULL);
-        bool fits = pango_layout_get_line_count(pen->layout) <= lines && ink <= middle;
-        *(fits ? &most : &least) = middle;
-    }
-    pango_layout_set_width(pen->layout, most);
 }
 
 int pen_measure(const struct pen *pen, const struct pen_words *words, double *width, double *height)

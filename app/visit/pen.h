@@ -29,8 +29,8 @@ void pen_close(struct pen *pen, uint8_t *rgba);
 void pen_set(const struct pen *pen, struct pen_colour colour, double alpha);
 /* Halfway, 0..1, from one to the other. */
 struct pen_colour pen_between(struct pen_colour from, struct pen_colour to, double share);
-/* What inks[ink] looks like at a thickness (ink.h). */
-struct pen_colour pen_ink(int ink, double thickness);
+/* What inks[ink] looks like at a thickness (ink.h), mixed as enum ink_mixing says. */
+struct pen_colour pen_ink(int ink, int mixing, double thickness);
 /* Relative luminance, 0..1 (WCAG 2). */
 double pen_luminance(struct pen_colour colour);
 /* A number in 0..1 that looks like chance, always the same for the same two. */

@@ -11,10 +11,10 @@
 #define SLANT  0.14f /* from one side to the other, at the most */
 #define WANDER 0.05f /* of a point of the front to and fro */
 #define BESIDE (0.5f * SLANT + 2.0f * WANDER + RINSE_MOST * RAGGED * REACH)
-#define FIRST  (-BESIDE)
+#define FIRST  (-0.15f) /* the earliest of it is on the sheet at once */
 #define LAST   (1.02f + REACH + BESIDE)
 #define LEAP   (0.2f * REACH) /* that the front may make at a time and leave nothing out */
-#define DOWN   0.82f          /* share of the time until the front is beyond the sheet; then the rest drains */
+#define DOWN   0.86f          /* share of the time until the front is beyond the sheet; then the rest drains */
 
 void wash_begin(struct wash *wash, int64_t tick, float seconds, int ticks_per_second, uint32_t seed)
 {

@@ -158,6 +158,19 @@ for name in pattern.catalyst pattern.active pattern.carved solvent.density ink.d
 done
 cmp -s a.json c.json && fail "$last: another seed is the same painting"
 
+# The branches, for a pen.
+expect 0 render one-drop.yaml --svg d.svg --paper 150 --ticks 300
+quiet
+grep -q '^<svg xmlns="http://www.w3.org/2000/svg" width="150mm" ' d.svg || fail "$last: d.svg is not 150 mm wide"
+grep -q '^<path stroke-width=' d.svg || fail "$last: d.svg has no branch"
+expect 0 render one-drop.yaml --svg e.svg --paper 150 --ticks 300 --threads 2
+cmp -s d.svg e.svg || fail "$last: threads change the branches"
+expect 2 render one-drop.yaml --svg f.svg --paper 9
+says "frond render: --paper: '9' is not it; 10 to 5000 mm"
+absent f.svg
+expect 1 render one-drop.yaml --svg nowhere/f.svg
+says "frond render: nowhere/f.svg: its folder is not there"
+
 # A picture guides a painting.
 cp a.png inside/text.png
 printf 'frond: 1\ncanvas: {width: 32, height: 32}\nticks: 2\nactions:\n  - {tick: 0, guide: {picture: text.png}}\n' >inside/s.yaml

@@ -91,8 +91,15 @@ static struct controls *controls_of(const struct exhibit *exhibit, struct inputs
 
 struct hall *hall_open(const char *yaml)
 {
+    return hall_open_sized(yaml, HALL_WIDTH, HALL_HEIGHT);
+}
+
+struct hall *hall_open_sized(const char *yaml, int width, int height)
+{
     struct hall *hall = calloc(1, sizeof *hall);
     assert_non_null(hall);
+    hall->width = width;
+    hall->height = height;
     hall->now_us = 1000000;
     hall->wall = 1800000000;
     hall->sheet.number = 1;
@@ -101,8 +108,8 @@ struct hall *hall_open(const char *yaml)
     struct inputs *own;
     hall->controls = controls_of(exhibit, &own);
     struct kiosk_def def = {.exhibit = exhibit,
-                            .width = HALL_WIDTH,
-                            .height = HALL_HEIGHT,
+                            .width = width,
+                            .height = height,
                             .seed = 1,
                             .built = 1700000000,
                             .stage = {hall, post, fresh, change, keep, power, sheet, NULL}};
@@ -217,8 +224,8 @@ bool hall_find(const struct hall *hall, int panel, int kind, int value, struct p
     for (int i = 0; i < on->count; i++) {
         const struct hud_button *button = &on->buttons[i];
         if ((int)button->kind == kind && button->value == value) {
-            at->x = (button->x + 0.5f * button->width) / HALL_WIDTH;
-            at->y = (button->y + 0.5f * button->height) / HALL_HEIGHT;
+            at->x = (button->x + 0.5f * button->width) / (float)hall->width;
+            at->y = (button->y + 0.5f * button->height) / (float)hall->height;
             return true;
         }
     }

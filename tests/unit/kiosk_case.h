@@ -22,6 +22,7 @@ struct hall_told {
 };
 
 struct hall {
+    int width, height; /* pixels of the sheet */
     struct kiosk *kiosk;
     struct controls *controls;
     uint64_t now_us;
@@ -36,8 +37,9 @@ struct hall {
     void *context;
 };
 
-/* The exhibit is one in YAML; it must be right. */
+/* The exhibit is one in YAML with inputs; it must be right. HALL_WIDTH x HALL_HEIGHT. */
 struct hall *hall_open(const char *yaml);
+struct hall *hall_open_sized(const char *yaml, int width, int height);
 void hall_close(struct hall *hall);
 struct exhibit *hall_exhibit(const char *yaml);
 /* So many seconds of frames. */

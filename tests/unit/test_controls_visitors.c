@@ -87,8 +87,8 @@ static void a_finger_belongs_to_the_seat_where_it_comes_down(void **state)
     assert_drop(&place, 2, 2);
     finger(&place, EVENT_DOWN, 0, 0.9f, 0.5f);
     assert_drop(&place, 2, 2);
-    for (float x = 0.8f; x > 0; x -= 0.2f) {
-        finger(&place, EVENT_MOVE, 0, x, 0.5f);
+    for (int tenths = 8; tenths > 0; tenths -= 2) {
+        finger(&place, EVENT_MOVE, 0, (float)tenths / 10, 0.5f);
         wait_ms(&place, 10);
         assert_true(take(&place) && place.action.verb == ACTION_DRAW);
         assert_true(place.action.visitor == 2 && place.action.ink == 2); /* wherever it goes */

@@ -216,6 +216,12 @@ static void groups_open_and_close(void **state)
     assert_true(panel->open == -1 && hud_next_language(&place.hud) == 2);
     assert_false(press(&place, 0, HUD_MORE, 0));
     assert_true(press(&place, 0, HUD_SEATED, 0) && place.press.value == 1 && place.hud.seated);
+    hud_choose(&place.hud, 0, TOOL_MASK, 3); /* by other means: what is folded shows it */
+    assert_true(panel->ink == 3 && panel->tool == TOOL_MASK);
+    assert_int_equal(panel->buttons[find(&place, 0, HUD_TOOL, -1)].value, TOOL_MASK);
+    assert_int_equal(panel->buttons[find(&place, 0, HUD_INK, -1)].value, 3);
+    hud_choose(&place.hud, 0, -1, 99);
+    assert_true(panel->ink == 0 && panel->tool == TOOL_MASK);
     /* A finger that rests on a button while another opens a group presses nothing of that group. */
     open_place(&place, 0, 1);
     assert_true(feel_button(&place, EVENT_DOWN, 5, 0, find(&place, 0, HUD_FINISH, 0), 0));
