@@ -1,4 +1,6 @@
 /* The section `inputs`: an inputs file of the exhibit's own. */
+#include <string.h>
+
 #include "exhibit_read.h"
 
 /* A binding paints in whatever scene there is: the ink that it names is in all of them. */
@@ -25,6 +27,30 @@ static void check_inks(struct reader *reader, const struct yaml_node *node, cons
     reader_leave(reader, length);
 }
 
+/* FNV-1a. */
+static uint64_t mix(uint64_t mark, const void *data, size_t size)
+{
+    const unsigned char *bytes = data;
+    for (size_t i = 0; i < size; i++) {
+        mark = (mark ^ bytes[i]) * 0x100000001b3;
+    }
+    return mark;
+}
+
+/* Of everything below a node, wherever in the file it stands. */
+static uint64_t mark_of(uint64_t mark, const struct yaml_node *node)
+{
+    const int shape[] = {(int)node->kind, node->plain, node->count};
+    mark = mix(mark, shape, sizeof shape);
+    if (node->kind == YAML_SCALAR) {
+        mark = mix(mark, node->text, strlen(node->text) + 1);
+    }
+    for (const struct yaml_node *child = node->kind == YAML_SCALAR ? NULL : node->first; child; child = child->next) {
+        mark = mark_of(mark, child); /* at most YAML_DEPTH_MAX deep */
+    }
+    return mark;
+}
+
 void exhibit_read_inputs(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit)
 {
     const struct yaml_node *node = yaml_get(root, "inputs");
@@ -32,11 +58,14 @@ void exhibit_read_inputs(struct reader *reader, const struct yaml_node *root, st
     if (!node || yaml_is_nothing(node) || exhibit->scene_count == 0) {
         return;
     }
+    const struct script *first = exhibit->scenes[0].script;
     size_t length = reader_enter(reader, "inputs");
     if (node->kind == YAML_MAPPING) {
         reader->whose = "first scene's";
-        exhibit->inputs = inputs_section(reader, node, exhibit->scenes[0].script);
+        exhibit->inputs = inputs_section(reader, node, first);
         reader->whose = NULL;
+        exhibit->inputs_mark = mark_of(0xcbf29ce484222325, node);
+        exhibit->inputs_mark = mix(exhibit->inputs_mark, first->inks, sizeof first->inks); /* which bindings name */
         if (exhibit->inputs && reader->report->count + reader->report->dropped == before) {
             check_inks(reader, node, exhibit);
         }
