@@ -76,6 +76,7 @@ static void screen_sheet_and_times_are_read(void **state)
         "sheet: {cells: 100000, margin: 32, seed: 9, rate: 30}\n"
         "engine: cpu\n"
         "visit: {idle: 40, countdown: 10.5, thanks: 0, wash: 3, attract: 90, next_scene: 0, hide: 2}\n"
+        "inputs: {bindings: [{touch: press, switch: {}}]}\n"
         "access: {scan: 8, dwell: 1.5, dwell_radius: 20, zone: [0.1, 0.4, 0.9, 0.95]}\n"
         "gallery: {folder: pictures, pictures: 7, megabytes: 9}\n"
         "wake: 30\n"
