@@ -138,8 +138,9 @@ static void read_root(struct reader *reader, const struct yaml_node *root, struc
 
 static const char *keep(struct reader *reader, const char *text)
 {
-    char *copy = reader_take(reader, strlen(text) + 1);
-    return copy ? strcpy(copy, text) : NULL;
+    size_t size = strlen(text) + 1;
+    char *copy = reader_take(reader, size);
+    return copy ? memcpy(copy, text, size) : NULL;
 }
 
 static struct exhibit *parse(const char *text, size_t size, const char *path, const char *folder,

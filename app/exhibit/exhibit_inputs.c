@@ -1,6 +1,4 @@
 /* The section `inputs`: an inputs file of the exhibit's own. */
-#include <string.h>
-
 #include "exhibit_read.h"
 
 /* A binding paints in whatever scene there is: the ink that it names is in all of them. */
@@ -27,25 +25,23 @@ static void check_inks(struct reader *reader, const struct yaml_node *node, cons
     reader_leave(reader, length);
 }
 
-/* FNV-1a. */
-static uint64_t mix(uint64_t mark, const void *data, size_t size)
+/* FNV-1a, a value at a time. */
+static uint64_t mix(uint64_t mark, int value)
 {
-    const unsigned char *bytes = data;
-    for (size_t i = 0; i < size; i++) {
-        mark = (mark ^ bytes[i]) * 0x100000001b3;
-    }
-    return mark;
+    return (mark ^ (uint64_t)(uint32_t)value) * 0x100000001b3;
 }
 
 /* Of everything below a node, wherever in the file it stands. */
 static uint64_t mark_of(uint64_t mark, const struct yaml_node *node)
 {
-    const int shape[] = {(int)node->kind, node->plain, node->count};
-    mark = mix(mark, shape, sizeof shape);
+    mark = mix(mix(mix(mark, (int)node->kind), node->plain), node->count);
     if (node->kind == YAML_SCALAR) {
-        mark = mix(mark, node->text, strlen(node->text) + 1);
+        for (const char *text = node->text; *text; text++) {
+            mark = mix(mark, *text);
+        }
+        return mark;
     }
-    for (const struct yaml_node *child = node->kind == YAML_SCALAR ? NULL : node->first; child; child = child->next) {
+    for (const struct yaml_node *child = node->first; child; child = child->next) {
         mark = mark_of(mark, child); /* at most YAML_DEPTH_MAX deep */
     }
     return mark;
@@ -65,7 +61,9 @@ void exhibit_read_inputs(struct reader *reader, const struct yaml_node *root, st
         exhibit->inputs = inputs_section(reader, node, first);
         reader->whose = NULL;
         exhibit->inputs_mark = mark_of(0xcbf29ce484222325, node);
-        exhibit->inputs_mark = mix(exhibit->inputs_mark, first->inks, sizeof first->inks); /* which bindings name */
+        for (int i = 0; i < first->ink_count; i++) {
+            exhibit->inputs_mark = mix(exhibit->inputs_mark, first->inks[i]); /* which bindings name */
+        }
         if (exhibit->inputs && reader->report->count + reader->report->dropped == before) {
             check_inks(reader, node, exhibit);
         }
