@@ -75,6 +75,7 @@ void live_kiosk_fit(struct exhibit *exhibit, int width, int height)
 {
     for (int i = 0; width > 0 && height > 0 && i < exhibit->scene_count; i++) {
         script_fit(exhibit->scenes[i].script, width, height);
+        exhibit->scenes[i].script->ticks = SCRIPT_TICKS_MAX; /* it ends by the visit, not by itself */
     }
 }
 

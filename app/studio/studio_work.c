@@ -117,6 +117,11 @@ static void empty_inbox(struct studio *studio)
     }
 }
 
+void studio_act(struct studio *studio, const struct action *action)
+{
+    act_and_keep(studio, &(struct studio_action){.action = *action});
+}
+
 static int64_t session_tick(const struct studio *studio)
 {
     return studio->engine->ops->ticks(studio->engine) - studio->session_start;
@@ -170,14 +175,19 @@ static void roll_checkpoint(struct studio *studio)
 /* Room for checkpoints of the engine's sheet; forgets the old. */
 static bool fit_checkpoints(struct studio *studio, const struct painting_def *def)
 {
+    bool gpu = studio->def.engine == ENGINE_GPU;
+    if (studio->before.planes && checkpoint_fits(&studio->before, def) && (!gpu || studio->whole.planes)) {
+        studio->has_whole = studio->taking = studio->has_before = false;
+        studio->journal_count = studio->journal_kept = 0;
+        return true;
+    }
     checkpoint_finish(&studio->whole);
     checkpoint_finish(&studio->partial);
     checkpoint_finish(&studio->before);
     studio->has_whole = studio->taking = studio->has_before = false;
     studio->journal_count = studio->journal_kept = 0;
     return checkpoint_init(&studio->before, def) &&
-           (studio->def.engine != ENGINE_GPU ||
-            (checkpoint_init(&studio->whole, def) && checkpoint_init(&studio->partial, def)));
+           (!gpu || (checkpoint_init(&studio->whole, def) && checkpoint_init(&studio->partial, def)));
 }
 
 /* The painting as it was before what was posted last. What the script does from then on, it does again. */
@@ -203,7 +213,7 @@ static void take_back(struct studio *studio)
 }
 
 /* The painting on another grid. When that fails the old one stays. */
-static void change_scale(struct studio *studio, float scale)
+void studio_change_scale(struct studio *studio, float scale)
 {
     struct painting_def def = studio_painting(studio, scale), now = studio->engine->ops->get_def(studio->engine);
     struct checkpoint from = {0}, to = {0};
@@ -234,10 +244,11 @@ static void change_scale(struct studio *studio, float scale)
 }
 
 /* A fresh sheet with a seed of its own. */
-static bool begin_session(struct studio *studio)
+bool studio_begin_session(struct studio *studio)
 {
     pthread_mutex_lock(&studio->lock);
     studio->report.sessions++;
+    studio->report.ticks = 0;
     pthread_mutex_unlock(&studio->lock);
     struct painting_def def = studio_painting(studio, studio->report.scale);
     struct engine *next = make_engine(studio, &def);
@@ -281,6 +292,9 @@ static void measure(struct studio *studio, double began, bool ticked)
 static bool tick(struct studio *studio)
 {
     double began = bench_wall_s();
+    if (!studio_take_orders(studio)) {
+        return false;
+    }
     take_back(studio);
     act_script(studio);
     empty_inbox(studio);
@@ -289,7 +303,7 @@ static bool tick(struct studio *studio)
         studio->engine->ops->tick(studio->engine);
         studio->engine->ops->finish(studio->engine);
         studio->changed_since = true;
-    } else if (!studio->def.once && ++studio->rest_ticks > REST_TICKS && !begin_session(studio)) {
+    } else if (!studio->def.once && ++studio->rest_ticks > REST_TICKS && !studio_begin_session(studio)) {
         return false;
     }
     if (studio->changed_since && publisher_publish(studio->publisher, studio->engine, studio->published + 1)) {
@@ -331,7 +345,7 @@ static bool open_engine(struct studio *studio)
         return true;
     }
     if (!studio->has_whole) { /* nothing was painted yet, or not for long */
-        return begin_session(studio);
+        return studio_begin_session(studio);
     }
     studio->engine = make_engine(studio, &studio->whole.def);
     if (!studio->engine || !studio->engine->ops->load(studio->engine, &studio->whole)) {
@@ -379,7 +393,7 @@ void *studio_work(void *context)
     studio->second_s = next_s;
     while (good && wait_turn(studio, &next_s, &scale)) {
         if (scale < studio->report.scale || scale > studio->report.scale) {
-            change_scale(studio, scale);
+            studio_change_scale(studio, scale);
         }
         good = tick(studio);
     }

@@ -32,8 +32,10 @@ struct studio {
     pthread_mutex_t lock; /* of what follows, to the empty line */
     pthread_cond_t changed;
     enum studio_started started;
-    bool stop, rest, undo;
-    float scale; /* wanted */
+    bool stop, rest, undo, fresh;
+    const struct script *next_script; /* wanted; NULL: none */
+    const struct script *script_now;  /* what the thread works with */
+    float scale;                      /* wanted */
     struct studio_action inbox[STUDIO_INBOX];
     int inbox_count;
     struct studio_consumed consumed[STUDIO_CONSUMED]; /* a ring */
@@ -66,6 +68,12 @@ struct studio {
 void *studio_work(void *context);
 /* Ends the thread, if there is one. */
 void studio_stop(struct studio *studio);
+/* studio_change.c: a fresh sheet, another script, where they are wanted. False when memory is short. */
+bool studio_take_orders(struct studio *studio);
+/* studio_work.c, for that. */
+bool studio_begin_session(struct studio *studio);
+void studio_change_scale(struct studio *studio, float scale);
+void studio_act(struct studio *studio, const struct action *action);
 /* The painting of the script on a grid of this share of its cells. */
 struct painting_def studio_painting(const struct studio *studio, float scale);
 
