@@ -91,6 +91,28 @@ static void read_gallery(struct reader *reader, const struct yaml_node *root, st
     }
 }
 
+static bool has_switch(const struct inputs *inputs)
+{
+    for (int i = 0; inputs && i < inputs->binding_count; i++) {
+        if (inputs->bindings[i].what == DO_SWITCH) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* After the inputs. */
+static void read_access(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit)
+{
+    const struct yaml_node *node = exhibit_mapping(reader, root, "access", access_keys, &exhibit->access);
+    if (node && exhibit->access.scan > 0 && !has_switch(exhibit->inputs)) {
+        size_t length = reader_enter(reader, "access");
+        exhibit_problem(reader, "scan", yaml_get(node, "scan"),
+                        "a line that nothing stops; 0, or a binding of the switch: {button: ID, switch: {}}");
+        reader_leave(reader, length);
+    }
+}
+
 static void read_root(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit)
 {
     enum { DEGREES = 90 };
@@ -108,7 +130,7 @@ static void read_root(struct reader *reader, const struct yaml_node *root, struc
     exhibit_read_seats(reader, root, exhibit);
     exhibit_read_inputs(reader, root, exhibit);
     exhibit_mapping(reader, root, "visit", visit_keys, &exhibit->visit);
-    exhibit_mapping(reader, root, "access", access_keys, &exhibit->access);
+    read_access(reader, root, exhibit);
     exhibit_read_hours(reader, root, exhibit);
     read_gallery(reader, root, exhibit);
     exhibit_read_staff(reader, root, exhibit);
@@ -116,8 +138,9 @@ static void read_root(struct reader *reader, const struct yaml_node *root, struc
 
 static const char *keep(struct reader *reader, const char *text)
 {
-    char *copy = reader_take(reader, strlen(text) + 1);
-    return copy ? strcpy(copy, text) : NULL;
+    size_t size = strlen(text) + 1;
+    char *copy = reader_take(reader, size);
+    return copy ? memcpy(copy, text, size) : NULL;
 }
 
 static struct exhibit *parse(const char *text, size_t size, const char *path, const char *folder,

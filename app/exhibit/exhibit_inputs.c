@@ -25,6 +25,28 @@ static void check_inks(struct reader *reader, const struct yaml_node *node, cons
     reader_leave(reader, length);
 }
 
+/* FNV-1a, a value at a time. */
+static uint64_t mix(uint64_t mark, int value)
+{
+    return (mark ^ (uint64_t)(uint32_t)value) * 0x100000001b3;
+}
+
+/* Of everything below a node, wherever in the file it stands. */
+static uint64_t mark_of(uint64_t mark, const struct yaml_node *node)
+{
+    mark = mix(mix(mix(mark, (int)node->kind), node->plain), node->count);
+    if (node->kind == YAML_SCALAR) {
+        for (const char *text = node->text; *text; text++) {
+            mark = mix(mark, *text);
+        }
+        return mark;
+    }
+    for (const struct yaml_node *child = node->first; child; child = child->next) {
+        mark = mark_of(mark, child); /* at most YAML_DEPTH_MAX deep */
+    }
+    return mark;
+}
+
 void exhibit_read_inputs(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit)
 {
     const struct yaml_node *node = yaml_get(root, "inputs");
@@ -32,11 +54,16 @@ void exhibit_read_inputs(struct reader *reader, const struct yaml_node *root, st
     if (!node || yaml_is_nothing(node) || exhibit->scene_count == 0) {
         return;
     }
+    const struct script *first = exhibit->scenes[0].script;
     size_t length = reader_enter(reader, "inputs");
     if (node->kind == YAML_MAPPING) {
         reader->whose = "first scene's";
-        exhibit->inputs = inputs_section(reader, node, exhibit->scenes[0].script);
+        exhibit->inputs = inputs_section(reader, node, first);
         reader->whose = NULL;
+        exhibit->inputs_mark = mark_of(0xcbf29ce484222325, node);
+        for (int i = 0; i < first->ink_count; i++) {
+            exhibit->inputs_mark = mix(exhibit->inputs_mark, first->inks[i]); /* which bindings name */
+        }
         if (exhibit->inputs && reader->report->count + reader->report->dropped == before) {
             check_inks(reader, node, exhibit);
         }

@@ -1,5 +1,3 @@
-#include <string.h>
-
 #include "exhibit.h"
 #include "hid_report.h"
 #include "inputs_read.h"
@@ -263,5 +261,5 @@ const struct inputs_table inputs_tables[] = {
 
 bool inputs_is_section(const struct key *key)
 {
-    return strcmp(key->unit, "section") == 0;
+    return key_is_section(key);
 }

@@ -76,6 +76,7 @@ static void screen_sheet_and_times_are_read(void **state)
         "sheet: {cells: 100000, margin: 32, seed: 9, rate: 30}\n"
         "engine: cpu\n"
         "visit: {idle: 40, countdown: 10.5, thanks: 0, wash: 3, attract: 90, next_scene: 0, hide: 2}\n"
+        "inputs: {bindings: [{touch: press, switch: {}}]}\n"
         "access: {scan: 8, dwell: 1.5, dwell_radius: 20, zone: [0.1, 0.4, 0.9, 0.95]}\n"
         "gallery: {folder: pictures, pictures: 7, megabytes: 9}\n"
         "wake: 30\n"
@@ -267,6 +268,27 @@ static void inputs_are_those_of_an_inputs_file(void **state)
     exhibit_destroy(exhibit);
 }
 
+static uint64_t mark_of(const char *text)
+{
+    struct exhibit *exhibit = exhibit_case_good(text);
+    uint64_t mark = exhibit->inputs_mark;
+    exhibit_destroy(exhibit);
+    return mark;
+}
+
+static void other_inputs_have_another_mark(void **state)
+{
+    (void)state;
+    static const char INPUTS[] = "exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {ink: ochre}}]}\n";
+    uint64_t mark = mark_of(INPUTS);
+    assert_true(mark != 0 && mark_of("exhibit: 1\n") == 0);
+    assert_true(mark == mark_of("exhibit: 1\nwake: 5\ninputs:\n  bindings:\n    - {touch: tap, drop: {ink: ochre}}\n"));
+    assert_true(mark != mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {ink: turquoise}}]}\n"));
+    assert_true(mark != mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {}}]}\n"));
+    assert_true(mark != mark_of("exhibit: 1\nscenes: [{id: a, inks: [ochre, cyan]}]\n"
+                                "inputs: {bindings: [{touch: tap, drop: {ink: ochre}}]}\n"));
+}
+
 static void a_text_tells_what_it_is(void **state)
 {
     (void)state;
@@ -370,6 +392,7 @@ int main(void)
         cmocka_unit_test(palette_and_seats_are_read),
         cmocka_unit_test(hours_are_read),
         cmocka_unit_test(inputs_are_those_of_an_inputs_file),
+        cmocka_unit_test(other_inputs_have_another_mark),
         cmocka_unit_test(a_text_tells_what_it_is),
         cmocka_unit_test(a_file_is_read_where_it_lies),
         cmocka_unit_test(every_word_is_shipped),

@@ -377,6 +377,8 @@ static const struct script_case BAD[] = {
            "access: {dwell: -1, zone: [0.2, 0.8, 0.8, 0.4]}\n"),
      "s.yaml:2:17: access.dwell: -1 is out of range; 0 to 10 s\n"
      "s.yaml:2:27: access.zone: a zone without area; [left, top, right, bottom], left < right and top < bottom\n"},
+    {"one-switch play without a switch", BYTES("exhibit: 1\naccess: {scan: 8}\n"),
+     "s.yaml:2:16: access.scan: a line that nothing stops; 0, or a binding of the switch: {button: ID, switch: {}}\n"},
     {"hours that are no times",
      BYTES("exhibit: 1\n"
            "schedule:\n"
