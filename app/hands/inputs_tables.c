@@ -192,7 +192,7 @@ const struct key binding_do_keys[] = {
     SECTION("undo", "Action: takes back what this visitor did last."),
     SECTION("redo", "Action: does again what this visitor took back last."),
     SECTION("finish", "Action: the painting is finished: it is kept, and washed away."),
-    SECTION("staff", "Action: the staff's view. A button that is on from the start has been pressed: a key switch."),
+    SECTION("staff", "Action: the staff's view. A button that is on from the start, a key switch, has been pressed."),
     SECTION("next_tool", "Action: the visitor's next tool."),
     SECTION("next_scene", "Action: the next scene."),
     SECTION("next_language", "Action: the next language."),
