@@ -33,6 +33,7 @@ struct spread {
     int32_t *units;   /* distance */
     float *value;     /* NULL, or what travels along */
     int32_t *lengths; /* of a step into each cell */
+    int *changed;     /* [height + 2], the sweep in which a row has changed last */
 };
 
 static bool spread_init(struct spread *spread, const struct territory *territory, bool carries)
@@ -43,17 +44,19 @@ static bool spread_init(struct spread *spread, const struct territory *territory
     size_t cells = (size_t)spread->across * (size_t)(spread->height + 2);
     spread->units = malloc(cells * sizeof *spread->units);
     spread->lengths = malloc(cells * sizeof *spread->lengths);
+    spread->changed = calloc((size_t)spread->height + 2, sizeof *spread->changed);
     spread->value = carries ? calloc(cells, sizeof *spread->value) : NULL;
     for (size_t i = 0; spread->units && i < cells; i++) {
         spread->units[i] = UNREACHED;
     }
-    return spread->units && spread->lengths && (!carries || spread->value);
+    return spread->units && spread->lengths && spread->changed && (!carries || spread->value);
 }
 
 static void spread_finish(struct spread *spread)
 {
     free(spread->units);
     free(spread->lengths);
+    free(spread->changed);
     free(spread->value);
 }
 
@@ -88,6 +91,26 @@ static bool relax_cell(struct spread *spread, size_t at, ptrdiff_t way)
     return changed;
 }
 
+/* To or fro, through the rows beside which anything has changed in the last sweeps. */
+static bool spread_sweep(struct spread *spread, int sweep)
+{
+    bool any = false;
+    int way = sweep % 2 ? 1 : -1, *changed = spread->changed + 1;
+    for (int i = 0; i < spread->height; i++) {
+        int y = way > 0 ? i : spread->height - 1 - i, before = sweep - 2;
+        if (changed[y] < before && changed[y - 1] < before && changed[y + 1] < before) {
+            continue;
+        }
+        bool row = false;
+        for (int j = 0; j < spread->width; j++) {
+            row |= relax_cell(spread, place(spread, way > 0 ? j : spread->width - 1 - j, y), way);
+        }
+        changed[y] = row ? sweep : changed[y];
+        any = any || row;
+    }
+    return any;
+}
+
 /* From the cells that have a distance to all others. `carved`: where steps are short. */
 static void spread_run(struct spread *spread, const struct territory *territory, uint8_t carved)
 {
@@ -97,19 +120,10 @@ static void spread_run(struct spread *spread, const struct territory *territory,
             spread->lengths[place(spread, x, y)] = row[x] & carved ? 1 : BARE;
         }
     }
-    bool changed = true;
-    for (int pass = 0; changed && pass < PASSES; pass++) {
-        changed = false;
-        for (int y = 0; y < spread->height; y++) {
-            for (int x = 0; x < spread->width; x++) {
-                changed |= relax_cell(spread, place(spread, x, y), 1);
-            }
-        }
-        for (int y = spread->height - 1; y >= 0; y--) {
-            for (int x = spread->width - 1; x >= 0; x--) {
-                changed |= relax_cell(spread, place(spread, x, y), -1);
-            }
-        }
+    int last = 0;
+    memset(spread->changed, 0, (size_t)(spread->height + 2) * sizeof *spread->changed);
+    for (int sweep = 1; sweep <= 2 * PASSES && last + 2 > sweep - 1; sweep++) {
+        last = spread_sweep(spread, sweep) ? sweep : last;
     }
 }
 
