@@ -1,6 +1,5 @@
 #include "rinse.h"
 
-#include <limits.h>
 #include <math.h>
 
 #include "noise.h"
@@ -9,6 +8,8 @@
 #define SLACK    0.1f /* phase that differs from place to place of the lattice, about */
 #define FINEST   6.0f /* cells: features of the noise that the lattice can hold */
 #define PAST     1.3f /* phase beyond which nothing is done any more */
+
+enum { NO_LINE = -2 }; /* not even the one before the first */
 
 static float clamp(float value, float least, float most)
 {
@@ -98,7 +99,7 @@ void rinse_begin(struct rinse *rinse, const struct painting_def *def, const stru
     rinse->depth = action->reach * extent;
     rinse->vary = rinse->disc ? 0.0f : action->vary;
     rinse->size = clamp(0.07f * extent, FINEST, 1e4f);
-    rinse->line = INT_MIN;
+    rinse->line = NO_LINE;
     rinse->count = 0;
     rinse->cells = rinse->over = (struct rectangle){0, 0, 0, 0};
     if (action->path.count > 0) {
@@ -165,7 +166,7 @@ static void fill_line(const struct rinse *rinse, int line, float behind[], float
 static void take_lines(struct rinse *rinse, int line)
 {
     int slot = line & 1;
-    if (rinse->line == INT_MIN || rinse->line != line - 1) {
+    if (rinse->line != line - 1) {
         fill_line(rinse, line, rinse->rows[slot][0], rinse->rows[slot][1]);
     }
     fill_line(rinse, line + 1, rinse->rows[!slot][0], rinse->rows[!slot][1]);

@@ -56,7 +56,8 @@ static struct pigment pigment_of(const struct painting *painting)
         for (int i = 0; i < CELLS; i++) {
             pigment.sum += (double)plane[i];
             pigment.x += (double)plane[i] * (i % SIZE);
-            pigment.y += (double)plane[i] * (double)(i / SIZE);
+            int row = i / SIZE;
+            pigment.y += (double)plane[i] * row;
         }
     }
     pigment.x /= pigment.sum;

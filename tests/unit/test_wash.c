@@ -179,7 +179,7 @@ static void gets_lighter_steadily(void **state)
     (void)state;
     struct painted painted = paint_sheet(&WASHING, 8);
     stop_growth(&painted);
-    double means[5 * RATE / SHOWN + 1], darkest = 1;
+    double means[5 * RATE / SHOWN + 1] = {0}, darkest = 1;
     int actions = 0, frames = 0;
     struct wash wash;
     wash_begin(&wash, 0, WASHING.seconds, RATE, 4);
