@@ -137,8 +137,11 @@ static void the_nearest_pair_counts(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(distance_is_ciede2000),   cmocka_unit_test(lab_has_its_landmarks),
-        cmocka_unit_test(sees_as_they_see),        cmocka_unit_test(palettes_are_as_safe_as_they_say),
+        cmocka_unit_test(distance_is_ciede2000),
+        cmocka_unit_test(lab_has_its_landmarks),
+        cmocka_unit_test(sees_as_they_see),
+        cmocka_unit_test(matrices_are_the_published_ones),
+        cmocka_unit_test(palettes_are_as_safe_as_they_say),
         cmocka_unit_test(the_nearest_pair_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
