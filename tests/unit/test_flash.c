@@ -227,7 +227,7 @@ static uint32_t in_turn(double seconds, int x, int y)
 /* Each block at its own time: never a quarter of them at one moment. */
 static uint32_t apart(double seconds, int x, int y)
 {
-    int block = (x / 4 + 5 * (y / 3)) % 15;
+    int block = (x / 4 + 8 * (y / 3)) % 15;
     return flicker_4(seconds + block / 60.0, x, y);
 }
 
