@@ -152,7 +152,7 @@ static void a_small_area_is_none(void **state)
     assert_true(worst.x <= 40 && worst.x + WIDTH / 3 >= 56 && worst.y <= 30 && worst.y + HEIGHT / 3 >= 42);
 }
 
-/* As dark as each other: .0722 + .. no luminance change worth counting, but saturated red. */
+/* Luminances .075 and .036: too near to count, but one is saturated red. */
 static uint32_t red(double seconds, int x, int y)
 {
     (void)x, (void)y;
