@@ -76,8 +76,8 @@ static bool fit_label(const struct board *board, struct pen_words *words, double
                       double least)
 {
     const struct pen *pen = board->pen;
-    for (double squeeze = 1; squeeze > least; squeeze -= 0.05) {
-        double width, height;
+    for (int step = 0; 1 - 0.05 * step > least; step++) {
+        double width, height, squeeze = 1 - 0.05 * step;
         words->width = room / squeeze;
         if (pen_measure(pen, words, &width, &height) <= lines && width * squeeze <= room) {
             cairo_save(pen->cairo);
