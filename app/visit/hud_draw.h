@@ -19,12 +19,14 @@ struct hud_image {
     int width, height; /* pixels; 0 while there is nothing to show */
     int x, y;          /* pixels of the sheet: where its top left belongs. A cursor's middle belongs at its point */
     uint64_t key;      /* of what it shows: another one, and it is drawn again */
+    void *ground;      /* what stays while the rest moves; owned, private to those who draw */
+    uint64_t ground_key;
 };
 
 void hud_image_finish(struct hud_image *image); /* takes a zeroed one, and leaves one */
 /* Each draws only when `image->key` is not that of what is to be seen, and says whether it has. When memory is short it
  * leaves the image as it is, and tries again the next time. Sizes follow from the hud's pixels a mm. At 1920x1080
- * on a desktop processor a panel takes 10 ms, a phase of the legend 11, a step of the countdown 5, a cursor 0.2; what
+ * on a desktop processor a panel takes 10 ms, a phase of the legend 5, a step of the countdown 5, a cursor 0.2; what
  * has not changed, microseconds. */
 bool hud_draw_panel(const struct hud *hud, int panel, struct hud_image *image);
 /* The legend of attract, which needs no reading: a finger that touches, rings, ink that branches; `phase` of its loop,
