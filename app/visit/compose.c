@@ -10,8 +10,8 @@ static const float PI = 3.14159265f;
 static const float DROP_RADIUS = 9; /* cells; what a ragged drop of it has grown to at once is FIRST_RADIUS */
 static const float FIRST_RADIUS = 11;
 
-static const float SPLASH_ROOM = 14;        /* cells around a bead */
-static const float LONGEST_STRETCH = 0.95f; /* of the time that a bloom takes, until the next begins */
+static const float SPLASH_ROOM = 14, SPLASH_REACH = 36; /* cells around a bead */
+static const float LONGEST_STRETCH = 0.95f;             /* of the time that a bloom takes, until the next begins */
 
 enum { SEGMENTS = 4, REST_S = 4 };
 
@@ -233,13 +233,15 @@ static void post_sweep(struct composer *composer, const struct sweep *sweep)
 static void post_splash(struct composer *composer, float x, float y, int64_t tick)
 {
     struct dice *dice = composer->dice;
-    int ink = harmony_any(&composer->harmony, dice);
+    int ink = harmony_any(&composer->harmony, dice), brush = brush_find(dice_chance(dice, 0.5f) ? "lichen" : "coral");
     float radius = dice_between(dice, 1.3f, 2.2f);
     for (int i = 0, count = 1 + dice_of(dice, 3); i < count; i++) {
         struct action drop = action_default(ACTION_DROP);
         drop.at = place(composer, x, y);
         drop.has_at = true;
         drop.ink = ink;
+        drop.brush = brush; /* else what has ended near it would cut it short */
+        drop.reach = SPLASH_REACH;
         drop.radius = radius;
         drop.solvent = 7;
         drop.amount = 40;

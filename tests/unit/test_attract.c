@@ -158,6 +158,12 @@ static float size_of(const struct action *drop)
     return (drop->reach - 30) / 2.2f;
 }
 
+/* Beads are none. */
+static bool is_bloom(const struct action *action)
+{
+    return action->verb == ACTION_DROP && size_of(action) > 10;
+}
+
 static void sessions_are_composed(void **state)
 {
     (void)state;
@@ -176,7 +182,7 @@ static void sessions_are_composed(void **state)
         for (int j = 0; j < played->count; j++) {
             const struct action *one = &played->actions[j];
             verbs[one->verb]++;
-            if (one->verb != ACTION_DROP || one->brush == BRUSH_NONE) {
+            if (!is_bloom(one)) {
                 continue;
             }
             float r = size_of(one);
@@ -192,7 +198,7 @@ static void sessions_are_composed(void **state)
             grows = until > grows ? until : grows;
             for (int k = 0; k < j; k++) { /* no piles */
                 const struct action *other = &played->actions[k];
-                bool bloom = other->verb == ACTION_DROP && other->brush != BRUSH_NONE;
+                bool bloom = is_bloom(other);
                 float apart = hypotf((one->at.x - other->at.x) * width, (one->at.y - other->at.y) * height);
                 assert_true(!bloom || apart > 0.6f * (r + size_of(other)));
                 assert_true(!bloom || one->tick - other->tick >= RATE); /* and no bursts */
