@@ -12,11 +12,11 @@
 
 enum {
     SESSIONS = 12,
-    WIDTH = 264, /* cells */
-    HEIGHT = 165,
+    WIDTH = 240, /* cells */
+    HEIGHT = 150,
     CELLS = WIDTH * HEIGHT,
-    PIXELS = 528,
-    SECONDS = 32,
+    PIXELS = 480,
+    SECONDS = 28,
     RATE = 40,
     WINDOW = 2 * RATE, /* ticks in which something must change */
     BLOCKS_X = 16,
