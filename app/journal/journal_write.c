@@ -6,6 +6,7 @@
 #include "ink.h"
 #include "journal.h"
 #include "journal_value.h"
+#include "journal_write.h"
 
 enum { ZSTD_LEVEL = 1, CHANNELS_MOST = 2 };
 
@@ -90,11 +91,8 @@ static void put_coefficients(struct bytes *out, const struct coefficients *coeff
     }
 }
 
-static void put_sheet(struct journal_writer *writer, enum journal_kind kind, int64_t ticked,
-                      const struct journal_sheet *sheet)
+void journal_put_sheet(struct bytes *out, const struct journal_sheet *sheet)
 {
-    struct bytes *out = &writer->out;
-    open_record(writer, kind, ticked);
     bytes_put_varint(out, (uint64_t)sheet->def.width);
     bytes_put_varint(out, (uint64_t)sheet->def.height);
     bytes_put_varint(out, (uint64_t)sheet->def.margin);
@@ -106,6 +104,13 @@ static void put_sheet(struct journal_writer *writer, enum journal_kind kind, int
     }
     bytes_put_text(out, sheet->scene);
     put_coefficients(out, &sheet->def.coefficients);
+}
+
+static void put_sheet(struct journal_writer *writer, enum journal_kind kind, int64_t ticked,
+                      const struct journal_sheet *sheet)
+{
+    open_record(writer, kind, ticked);
+    journal_put_sheet(&writer->out, sheet);
     close_record(writer);
 }
 
