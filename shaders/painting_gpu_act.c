@@ -109,7 +109,7 @@ static void upload_band(struct painting_gpu *gpu, struct rectangle band)
     glDispatchCompute((GLuint)(across + 31) / 32, (GLuint)(down + 3) / 4, 1);
 }
 
-static void upload_ground(struct painting_gpu *gpu, struct rectangle cells)
+void gpu_act_upload(struct painting_gpu *gpu, struct rectangle cells)
 {
     int rows = GROUND_CELLS / (cells.x1 - cells.x0);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -123,7 +123,7 @@ static void upload_ground(struct painting_gpu *gpu, struct rectangle cells)
 
 void gpu_act_upload_ground(struct painting_gpu *gpu)
 {
-    upload_ground(gpu, (struct rectangle){0, gpu->width, 0, gpu->height});
+    gpu_act_upload(gpu, (struct rectangle){0, gpu->width, 0, gpu->height});
 }
 
 static void upload_part(struct gpu_act *act)
@@ -189,7 +189,7 @@ void gpu_act(struct painting_gpu *gpu, const struct action *action)
     gpu->def.coefficients = gpu->ground->def.coefficients;
     if (!rectangle_is_empty(cells)) {
         if (legal.verb != ACTION_SET || ground_varies(legal.coefficient)) {
-            upload_ground(gpu, cells);
+            gpu_act_upload(gpu, cells);
         }
         gpu_steps_touch(gpu, cells);
     }

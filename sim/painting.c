@@ -198,7 +198,8 @@ void painting_stir(struct painting *painting)
 
 void painting_touch(struct painting *painting, int x0, int x1, int y0, int y1)
 {
-    static const enum tile_flag WAKES[] = {TILE_FLOWS, TILE_OPENED, TILE_GROWS, TILE_FED, TILE_CARVED, TILE_DAMP};
+    static const enum tile_flag WAKES[] = {TILE_FLOWS,  TILE_OPENED, TILE_GROWS,  TILE_FED,
+                                           TILE_CARVED, TILE_DAMP,   TILE_CHANGED};
     for (size_t i = 0; i < sizeof WAKES / sizeof WAKES[0]; i++) {
         tiles_mark(&painting->tiles, WAKES[i], x0, x1, y0, y1);
     }

@@ -188,6 +188,7 @@ static void note_tiles(struct fluid_pass *pass, int ty)
         tiles->flags[TILE_FLOWS][at] = any_changed != 0;
         tiles->flags[TILE_WET][at] |= any_changed != 0;
         tiles->flags[TILE_DAMP][at] |= any_changed != 0;
+        tiles->flags[TILE_CHANGED][at] |= any_changed != 0;
         tiles->flags[TILE_FED][at] |= any_fed != 0;
     }
     memset(changed, 0, (size_t)width * sizeof *changed);

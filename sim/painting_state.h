@@ -96,6 +96,9 @@ static inline struct span run_span(const struct painting *painting, const struct
     return (struct span){run->x0 == 0 ? 0 : run->x0 - HALO, run->x1 >= painting->width || to > whole ? whole : to};
 }
 
+/* First cell of a row of a plane: enum checkpoint_plane. */
+float *painting_plane_row(const struct painting *painting, int plane, int y);
+
 void painting_upkeep(struct painting *painting);
 
 /* Tiles and derived state that a change of cells [x0, x1) x [y0, y1) touches: everything there wakes. */

@@ -103,7 +103,8 @@ void live_input_feel(struct live_input *input, struct display *display, struct s
         input->refused += !studio_post_event(studio, &action, time_us);
     }
     if (controls_undo(input->controls)) {
-        studio_undo(studio);
+        action = action_default(ACTION_UNDO);
+        input->refused += !studio_post(studio, &action);
     }
     light(input);
 }

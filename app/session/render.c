@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "easel.h"
+#include "history.h"
 #include "image.h"
 #include "journal.h"
 #include "script_sheet.h"
@@ -15,6 +16,7 @@ struct rendering {
     const struct render_def *def;
     struct easel easel;
     struct engine *engine;
+    struct history *history; /* NULL: nothing is taken back */
     struct easel_picture picture;
     struct journal_writer journal;
     size_t cells;
@@ -80,20 +82,42 @@ static void begin_journal(struct rendering *rendering)
     journal_sheet(&rendering->journal, 0, &sheet);
 }
 
-static void act(struct rendering *rendering, int64_t tick, const struct action *action)
-{
-    rendering->engine->ops->act(rendering->engine, action);
-    if (rendering->def->journal) {
-        journal_action(&rendering->journal, tick, action);
-    }
-}
-
 static bool write_journal(struct rendering *rendering, const char *path, struct file_error *error)
 {
     const struct bytes *out = &rendering->journal.out;
     journal_end(&rendering->journal, rendering->script->ticks);
     return out->failed ? file_fail(error, path, "memory is short for the journal")
                        : file_write_atomic(path, out->data, out->size, error);
+}
+
+static bool goes_back(const struct script *script)
+{
+    bool back = false;
+    for (int i = 0; i < script->action_count; i++) {
+        enum action_verb verb = script->actions[i].verb;
+        back = back || verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
+    }
+    return back;
+}
+
+static bool open_history(struct rendering *rendering)
+{
+    struct painting_def painting = rendering->engine->ops->get_def(rendering->engine);
+    struct history_def def = history_default_def();
+    rendering->history = goes_back(rendering->script) ? history_create(&def, &painting) : NULL;
+    return rendering->history || !goes_back(rendering->script);
+}
+
+static void act(struct rendering *rendering, int64_t tick, const struct action *action)
+{
+    if (rendering->history) {
+        history_act(rendering->history, rendering->engine, action);
+    } else {
+        rendering->engine->ops->act(rendering->engine, action);
+    }
+    if (rendering->def->journal) {
+        journal_action(&rendering->journal, tick, action);
+    }
 }
 
 /* The actions of a tick, then the tick; those of the very last tick too, so that a session can end with one. */
@@ -110,6 +134,9 @@ static bool run_session(struct rendering *rendering, struct progress *progress, 
             act(rendering, tick, &script->actions[next]);
         }
         if (tick < script->ticks) {
+            if (rendering->history) {
+                history_tick(rendering->history, rendering->engine);
+            }
             rendering->engine->ops->tick(rendering->engine);
             good = write_frame(rendering, error);
         }
@@ -142,13 +169,16 @@ bool render(const struct script *script, const struct render_def *def, struct pr
         return false;
     }
     rendering.engine = easel_engine(&rendering.easel, &painting, error);
-    bool good = rendering.engine && open_picture(&rendering, error) && run_session(&rendering, progress, error) &&
-                write_end(&rendering, error);
+    bool good =
+        rendering.engine &&
+        (open_history(&rendering) || file_fail(error, "the painting", "memory is short for what is taken back")) &&
+        open_picture(&rendering, error) && run_session(&rendering, progress, error) && write_end(&rendering, error);
     if (progress) {
         progress_end(progress);
     }
     journal_finish(&rendering.journal);
     easel_unframe(&rendering.picture);
+    history_destroy(rendering.history);
     engine_destroy(rendering.engine);
     easel_close(&rendering.easel);
     return good;
