@@ -370,7 +370,7 @@ static void what_a_later_version_adds_is_skipped(void **state)
     assert_true(journal_next(&reader, &record) && record.kind == JOURNAL_SHEET);
     assert_true(journal_next(&reader, &record) && record.kind == JOURNAL_ACTION && record.ticked == 340);
     struct action expected = action_default(ACTION_DROP); /* what is not said is as it always was */
-    expected.visitor = 2;
+    expected.visitor = 1;
     expected.radius = 12.5f;
     expected.at = (struct point){0.25f, 0.75f};
     expected.has_at = true;
