@@ -7,7 +7,6 @@
 #include "history.h"
 #include "image.h"
 #include "journal.h"
-#include "plan.h"
 #include "script_sheet.h"
 #include "stats.h"
 
@@ -64,28 +63,6 @@ static bool write_fields(struct rendering *rendering, const char *path, struct f
     return good;
 }
 
-static bool write_plan(struct rendering *rendering, const char *path, struct file_error *error)
-{
-    const struct engine_ops *ops = rendering->engine->ops;
-    double paper = rendering->def->paper_mm > 0 ? rendering->def->paper_mm : PLAN_PAPER_MM;
-    float *depth = malloc(2 * rendering->cells * sizeof *depth);
-    char *text = NULL;
-    size_t size;
-    if (depth) {
-        ops->read(rendering->engine, PAINTING_ACTIVE, depth);
-        ops->read(rendering->engine, PAINTING_CARVED, depth + rendering->cells);
-        for (size_t i = 0; i < rendering->cells; i++) {
-            depth[i] += depth[rendering->cells + i];
-        }
-        text = plan_svg(depth, rendering->script->width, rendering->script->height, paper, &size);
-    }
-    bool good =
-        text ? file_write_atomic(path, text, size, error) : file_fail(error, path, "memory is short for the plan");
-    free(text);
-    free(depth);
-    return good;
-}
-
 static bool write_frame(struct rendering *rendering, struct file_error *error)
 {
     const struct render_def *def = rendering->def;
@@ -103,18 +80,6 @@ static void begin_journal(struct rendering *rendering)
     snprintf(head.engine, sizeof head.engine, "%s", rendering->engine->ops->name);
     journal_begin(&rendering->journal, &head);
     journal_sheet(&rendering->journal, 0, &sheet);
-}
-
-static void act(struct rendering *rendering, int64_t tick, const struct action *action)
-{
-    if (rendering->history) {
-        history_act(rendering->history, rendering->engine, action);
-    } else {
-        rendering->engine->ops->act(rendering->engine, action);
-    }
-    if (rendering->def->journal) {
-        journal_action(&rendering->journal, tick, action);
-    }
 }
 
 static bool write_journal(struct rendering *rendering, const char *path, struct file_error *error)
@@ -135,13 +100,24 @@ static bool goes_back(const struct script *script)
     return back;
 }
 
-static bool open_history(struct rendering *rendering, struct file_error *error)
+static bool open_history(struct rendering *rendering)
 {
     struct painting_def painting = rendering->engine->ops->get_def(rendering->engine);
     struct history_def def = history_default_def();
-    bool back = goes_back(rendering->script);
-    rendering->history = back ? history_create(&def, &painting) : NULL;
-    return rendering->history || !back || file_fail(error, rendering->def->picture, "memory is short");
+    rendering->history = goes_back(rendering->script) ? history_create(&def, &painting) : NULL;
+    return rendering->history || !goes_back(rendering->script);
+}
+
+static void act(struct rendering *rendering, int64_t tick, const struct action *action)
+{
+    if (rendering->history) {
+        history_act(rendering->history, rendering->engine, action);
+    } else {
+        rendering->engine->ops->act(rendering->engine, action);
+    }
+    if (rendering->def->journal) {
+        journal_action(&rendering->journal, tick, action);
+    }
 }
 
 /* The actions of a tick, then the tick; those of the very last tick too, so that a session can end with one. */
@@ -177,7 +153,6 @@ static bool write_end(struct rendering *rendering, struct file_error *error)
     return (!def->journal || write_journal(rendering, def->journal, error)) &&
            (!def->fields || write_fields(rendering, def->fields, error)) &&
            (!def->stats || stats_write(def->stats, rendering->script, rendering->engine, error)) &&
-           (!def->svg || write_plan(rendering, def->svg, error)) &&
            (!def->picture || easel_write(&rendering->picture, rendering->engine, def->picture, error));
 }
 
@@ -190,12 +165,14 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     rendering.easel.def = (struct easel_def){def->engine, def->shaders, def->threads, def->dense};
     if (!easel_check_file(def->picture, error) || !easel_check_file(def->fields, error) ||
         !easel_check_file(def->stats, error) || !easel_check_file(def->journal, error) ||
-        !easel_check_file(def->svg, error) || !easel_make_folder(def->frames, error)) {
+        !easel_make_folder(def->frames, error)) {
         return false;
     }
     rendering.engine = easel_engine(&rendering.easel, &painting, error);
-    bool good = rendering.engine && open_history(&rendering, error) && open_picture(&rendering, error) &&
-                run_session(&rendering, progress, error) && write_end(&rendering, error);
+    bool good =
+        rendering.engine &&
+        (open_history(&rendering) || file_fail(error, "the painting", "memory is short for what is taken back")) &&
+        open_picture(&rendering, error) && run_session(&rendering, progress, error) && write_end(&rendering, error);
     if (progress) {
         progress_end(progress);
     }
