@@ -62,7 +62,7 @@ void kiosk_destroy(struct kiosk *kiosk)
 static void choose_again(struct kiosk *kiosk)
 {
     for (int i = 0; kiosk->controls && i < kiosk->hud.count; i++) {
-        controls_set_tool(kiosk->controls, i, kiosk->hud.panels[i].tool);
+        controls_set_tool(kiosk->controls, i, (enum exhibit_tool)kiosk->hud.panels[i].tool);
         controls_set_ink(kiosk->controls, i, kiosk->hud.panels[i].ink);
     }
 }

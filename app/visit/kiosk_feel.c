@@ -171,7 +171,7 @@ static void post_verb(struct kiosk *kiosk, enum action_verb verb, int visitor, u
 static void choose(struct kiosk *kiosk, int seat)
 {
     if (kiosk->controls) {
-        controls_set_tool(kiosk->controls, seat, kiosk->hud.panels[seat].tool);
+        controls_set_tool(kiosk->controls, seat, (enum exhibit_tool)kiosk->hud.panels[seat].tool);
         controls_set_ink(kiosk->controls, seat, kiosk->hud.panels[seat].ink);
     }
 }
