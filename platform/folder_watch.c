@@ -149,7 +149,7 @@ void folder_watch_set(struct folder_watch *watch, const char *const *folders, in
     for (int i = 0; i < count && taken < FOLDER_WATCH_FOLDERS; i++) {
         struct folder *folder = &watch->next[taken];
         if (strlen(folders[i]) < sizeof folder->path) {
-            strcpy(folder->path, folders[i]);
+            memcpy(folder->path, folders[i], strlen(folders[i]) + 1);
             folder->number = NOT_WATCHED;
             take_over(watch, folder);
             taken++;

@@ -62,7 +62,11 @@ static void unescape(char *path)
     for (const char *from = path; *from; to++) {
         bool escaped = from[0] == '\\' && from[1] >= '0' && from[1] <= '3' && from[2] >= '0' && from[2] <= '7' &&
                        from[3] >= '0' && from[3] <= '7';
-        *to = escaped ? (char)((from[1] - '0') * 64 + (from[2] - '0') * 8 + (from[3] - '0')) : *from;
+        unsigned code = (unsigned char)*from;
+        if (escaped) {
+            code = (unsigned)(from[1] - '0') * 64 + (unsigned)(from[2] - '0') * 8 + (unsigned)(from[3] - '0');
+        }
+        *(unsigned char *)to = (unsigned char)code;
         from += escaped ? 4 : 1;
     }
     *to = '\0';

@@ -89,8 +89,8 @@ static bool make_room(struct harvest *harvest, int points)
 
 static struct branch_point centre_of(const struct branch_trees *trees, size_t cell)
 {
-    return (struct branch_point){(float)(cell % (size_t)trees->width) + 0.5f,
-                                 (float)(cell / (size_t)trees->width) + 0.5f};
+    int x = (int)(cell % (size_t)trees->width), y = (int)(cell / (size_t)trees->width);
+    return (struct branch_point){(float)x + 0.5f, (float)y + 0.5f};
 }
 
 /* The branch from an end towards the root, to the next end. */

@@ -192,8 +192,8 @@ static void find_heights(struct search *search, const float *depth, float *betwe
 static bool search_create(struct search *search, const float *depth)
 {
     size_t cells = search->trees->cells;
-    search->height = malloc(cells * sizeof(float));
-    search->spare = malloc(cells * sizeof(float));
+    search->height = calloc(cells, sizeof(float));
+    search->spare = calloc(cells, sizeof(float));
     search->cost = malloc(cells * sizeof(float));
     search->labels = malloc(cells * sizeof *search->labels);
     search->heap.cells = malloc(cells * sizeof *search->heap.cells);
@@ -301,7 +301,7 @@ bool branch_trees_create(struct branch_trees *trees, const float *depth, int wid
     trees->ridge = malloc(trees->cells);
     trees->parent = calloc(trees->cells, sizeof *trees->parent);
     trees->length = malloc(trees->cells * sizeof *trees->length);
-    trees->order = malloc(trees->cells * sizeof *trees->order);
+    trees->order = calloc(trees->cells, sizeof *trees->order);
     bool good = trees->mask && trees->line && trees->ridge && trees->parent && trees->length && trees->order &&
                 shape_mask(&def, depth, trees->mask, &components, &specks) && search_create(&search, depth) &&
                 find_roots(&search);

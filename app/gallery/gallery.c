@@ -319,6 +319,19 @@ bool gallery_got(struct gallery *gallery, uint8_t **rgb, int *width, int *height
     return got;
 }
 
+static uint8_t *to_bytes(const struct image *image)
+{
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    uint8_t *rgb = malloc(3 * pixels);
+    for (size_t i = 0; rgb && i < pixels; i++) {
+        const float *from = image->values + i * (size_t)image->channels;
+        for (int c = 0; c < 3; c++) {
+            rgb[3 * i + (size_t)c] = (uint8_t)(ink_encode(from[image->channels < 3 ? 0 : c]) * 255 + 0.5f);
+        }
+    }
+    return rgb;
+}
+
 bool gallery_read(const char *path, const char *helper, uint8_t **rgb, int *width, int *height,
                   struct file_error *error)
 {
@@ -326,16 +339,9 @@ bool gallery_read(const char *path, const char *helper, uint8_t **rgb, int *widt
     struct image image;
     def.helper = helper;
     bool good = image_read(path, &def, &image, error);
-    size_t pixels = (size_t)image.width * (size_t)image.height;
-    *rgb = good ? malloc(3 * pixels) : NULL;
+    *rgb = good ? to_bytes(&image) : NULL;
     if (good && !*rgb) {
         good = file_fail_code(error, path, ENOMEM);
-    }
-    for (size_t i = 0; good && i < pixels; i++) {
-        const float *from = image.values + i * (size_t)image.channels;
-        for (int c = 0; c < 3; c++) {
-            (*rgb)[3 * i + (size_t)c] = (uint8_t)(ink_encode(from[image.channels < 3 ? 0 : c]) * 255 + 0.5f);
-        }
     }
     *width = good ? image.width : 0;
     *height = good ? image.height : 0;

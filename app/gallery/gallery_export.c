@@ -129,7 +129,7 @@ static void *copy_all(void *data)
     struct tally tally = {.error = {""}};
     DIR *gallery = opendir(export->gallery);
     bool good = gallery || file_fail_code(&tally.error, export->gallery, errno);
-    for (struct dirent *item; good && (item = readdir(gallery));) {
+    for (struct dirent *item; gallery && good && (item = readdir(gallery));) {
         good = take(export, gallery, item->d_name, &tally);
     }
     if (gallery) {

@@ -203,7 +203,7 @@ bool gallery_make_folder(const char *folder, struct file_error *error)
     if (stat(folder, &status) == 0) {
         return S_ISDIR(status.st_mode) || file_fail_code(error, folder, ENOTDIR);
     }
-    strcpy(path, folder);
+    memcpy(path, folder, strlen(folder) + 1);
     for (char *at = path + 1; *at; at++) {
         if (*at == '/') {
             *at = '\0';

@@ -79,7 +79,7 @@ struct inputs_lines {        /* a button, an encoder or a lamp */
 };
 
 /* A lamp of a controller: an output of its own usage, or bits of an output report. */
-struct inputs_glow {
+struct inputs_light {
     const char *id;
     int controller; /* in controllers[] */
     uint32_t usage; /* 0: the bits */
@@ -159,8 +159,8 @@ struct inputs {
     int keyboard_count, controller_count;
     struct inputs_lines buttons[INPUTS_LINES], encoders[INPUTS_LINES], lamps[INPUTS_LINES];
     int button_count, encoder_count, lamp_count;
-    struct inputs_glow glows[INPUTS_LINES]; /* lamps of controllers; their numbers follow those of lamps[] */
-    int glow_count;
+    struct inputs_light lights[INPUTS_LINES]; /* lamps of controllers; their numbers follow those of lamps[] */
+    int light_count;
     struct binding bindings[INPUTS_BINDINGS];
     int binding_count, written_count; /* those that the file itself has come first */
     struct script *memory;            /* texts and rasters */

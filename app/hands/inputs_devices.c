@@ -8,7 +8,7 @@ struct device_reading {
     struct inputs_device *devices;
     int *count;
     const struct key *keys;
-    const struct yaml_node *map, *lamps;
+    const struct yaml_node *map, *lights;
     struct inputs *inputs;
 };
 
@@ -66,7 +66,7 @@ static bool read_device_key(struct reader *reader, const struct key *key, const 
     struct inputs_device *device = object;
     struct device_reading *reading = context;
     if (inputs_is_section(key)) {
-        *(strcmp(key->name, "map") == 0 ? &reading->map : &reading->lamps) = node;
+        *(strcmp(key->name, "map") == 0 ? &reading->map : &reading->lights) = node;
         return true;
     }
     if (strcmp(key->name, "vendor") == 0) {
@@ -108,7 +108,7 @@ static void read_usage_of(struct reader *reader, const struct yaml_node *item, c
     }
 }
 
-static void read_glow(struct reader *reader, const struct yaml_node *item, int index, void *context)
+static void read_light(struct reader *reader, const struct yaml_node *item, int index, void *context)
 {
     struct device_reading *reading = context;
     struct inputs *inputs = reading->inputs;
@@ -117,23 +117,23 @@ static void read_glow(struct reader *reader, const struct yaml_node *item, int i
         inputs_wrong_kind(reader, item, "{id: WORD, usage: NAME, ...} or {id: WORD, bit: N, bits: N, ...}");
         return;
     }
-    if (inputs->glow_count == INPUTS_LINES) {
+    if (inputs->light_count == INPUTS_LINES) {
         reader_problem(reader, item, "lamps of all controllers: at most %d", INPUTS_LINES);
         return;
     }
-    struct inputs_glow *glow = &inputs->glows[inputs->glow_count];
-    key_defaults(glow_keys, glow);
-    mapping_read(reader, glow_keys, item, glow, NULL);
-    glow->controller = *reading->count;
-    read_usage_of(reader, item, "usage", glow->usage_name, &glow->usage);
-    read_usage_of(reader, item, "button", glow->button_name, &glow->button);
+    struct inputs_light *light = &inputs->lights[inputs->light_count];
+    key_defaults(light_keys, light);
+    mapping_read(reader, light_keys, item, light, NULL);
+    light->controller = *reading->count;
+    read_usage_of(reader, item, "usage", light->usage_name, &light->usage);
+    read_usage_of(reader, item, "button", light->button_name, &light->button);
     bool bits = yaml_get(item, "bit");
     if (!yaml_get(item, "usage") && !bits) {
         reader_problem(reader, item, "nothing says where it is; usage, or bit: its first bit in the output report");
     } else if (yaml_get(item, "usage") && bits) {
         reader_problem(reader, yaml_get(item, "bit"), "usage says where it is already; one of both");
     }
-    inputs->glow_count++;
+    inputs->light_count++;
 }
 
 static void check_device(struct reader *reader, const struct yaml_node *item, const struct device_reading *reading)
@@ -161,7 +161,7 @@ static void read_device(struct reader *reader, const struct yaml_node *item, int
         return;
     }
     key_defaults(reading->keys, device);
-    reading->map = reading->lamps = NULL;
+    reading->map = reading->lights = NULL;
     struct value_reading value = {read_device_key, reading};
     mapping_read(reader, reading->keys, item, device, &value);
     check_device(reader, item, reading);
@@ -172,8 +172,9 @@ static void read_device(struct reader *reader, const struct yaml_node *item, int
                         read_map_entry, device);
         }
     }
-    if (reading->lamps) {
-        inputs_list(reader, item, "lamps", INPUTS_LINES, "a list of {id: WORD, usage: NAME, ...}", read_glow, reading);
+    if (reading->lights) {
+        inputs_list(reader, item, "lights", INPUTS_LINES, "a list of {id: WORD, usage: NAME, ...}", read_light,
+                    reading);
     }
     (*reading->count)++;
 }

@@ -10,7 +10,7 @@ extern const struct key touch_keys[];      /* over struct inputs */
 extern const struct key keyboard_keys[];   /* over struct inputs_device */
 extern const struct key controller_keys[]; /* over struct inputs_device */
 extern const struct key map_keys[];        /* over struct inputs_map */
-extern const struct key glow_keys[];       /* over struct inputs_glow */
+extern const struct key light_keys[];      /* over struct inputs_light */
 extern const struct key gpio_keys[];       /* sections */
 extern const struct key button_keys[];     /* over struct inputs_lines */
 extern const struct key encoder_keys[];    /* over struct inputs_lines */

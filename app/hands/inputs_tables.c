@@ -78,7 +78,7 @@ const struct key controller_keys[] = {
     DEVICE,
     FLAG("refuse", struct inputs_device, refuse, 0, "Whether it is never to act, whatever it is."),
     SECTION("map", "A list of what bits of its reports mean, where it does not say so itself."),
-    SECTION("lamps", "A list of its lamps."),
+    SECTION("lights", "A list of its lamps."),
     END,
 };
 
@@ -98,18 +98,18 @@ const struct key map_keys[] = {
     END,
 };
 
-#define GLOW struct inputs_glow
-const struct key glow_keys[] = {
-    TEXT("id", GLOW, id, "a word", ID_BYTES, true, "What the log calls it."),
-    TEXT("usage", GLOW, usage_name, "a HID usage", NAME_BYTES, false,
+#define LIGHT struct inputs_light
+const struct key light_keys[] = {
+    TEXT("id", LIGHT, id, "a word", ID_BYTES, true, "What the log calls it."),
+    TEXT("usage", LIGHT, usage_name, "a HID usage", NAME_BYTES, false,
          "The output that lights it, where the controller names one: `LED: Power`."),
-    WHOLE("index", GLOW, index, "", 0, 1023, 0, false, "Which of several outputs of that usage."),
-    WHOLE("report", GLOW, report, "", 0, 255, 0, false,
+    WHOLE("index", LIGHT, index, "", 0, 1023, 0, false, "Which of several outputs of that usage."),
+    WHOLE("report", LIGHT, report, "", 0, 255, 0, false,
           "Without usage: id of the output report; 0 where they have none."),
-    WHOLE("bit", GLOW, bit, "bits", 0, 65535, 0, false, "Without usage: first bit, after the id."),
-    WHOLE("bits", GLOW, bits, "bits", 1, 32, 1, false, "Without usage: how many."),
-    WHOLE("most", GLOW, most, "", 0, 2147483647, 0, false, "Without usage: full brightness; 0: all bits."),
-    TEXT("button", GLOW, button_name, "a HID usage", NAME_BYTES, false,
+    WHOLE("bit", LIGHT, bit, "bits", 0, 65535, 0, false, "Without usage: first bit, after the id."),
+    WHOLE("bits", LIGHT, bits, "bits", 1, 32, 1, false, "Without usage: how many."),
+    WHOLE("most", LIGHT, most, "", 0, 2147483647, 0, false, "Without usage: full brightness; 0: all bits."),
+    TEXT("button", LIGHT, button_name, "a HID usage", NAME_BYTES, false,
          "The control of this controller whose presses light it: Button 1."),
     END,
 };
@@ -189,7 +189,7 @@ const struct key binding_do_keys[] = {
     SECTION("undo", "Action: takes back what this visitor did last."),
     SECTION("redo", "Action: does again what this visitor took back last."),
     SECTION("finish", "Action: the painting is finished: it is kept, and washed away."),
-    SECTION("staff", "Action: the staff's view. A button that is on from the start has been pressed: a key switch."),
+    SECTION("staff", "Action: the staff's view. A button that is on from the start, a key switch, has been pressed."),
     SECTION("next_tool", "Action: the visitor's next tool."),
     SECTION("next_scene", "Action: the next scene."),
     SECTION("next_language", "Action: the next language."),
@@ -244,7 +244,7 @@ const struct inputs_table inputs_tables[] = {
     {"keyboards", "A keyboard of the staff.", keyboard_keys},
     {"controllers", "A HID controller.", controller_keys},
     {"map", "What some bits of a controller's reports mean.", map_keys},
-    {"controllers.lamps", "A lamp of a controller.", glow_keys},
+    {"lights", "A lamp of a controller.", light_keys},
     {"gpio", "What hangs on lines of the board.", gpio_keys},
     {"buttons", "A button on a GPIO line.", button_keys},
     {"encoders", "A rotary encoder on two GPIO lines.", encoder_keys},

@@ -25,10 +25,10 @@ void lamps_introduce(struct lamps *lamps, enum event_source source, const struct
         return;
     }
     *found = (struct lamps_device){.device = device->id};
-    for (int i = 0; i < inputs->glow_count; i++) {
-        const struct inputs_device *of = &inputs->controllers[inputs->glows[i].controller];
+    for (int i = 0; i < inputs->light_count; i++) {
+        const struct inputs_device *of = &inputs->controllers[inputs->lights[i].controller];
         if (inputs_match(of, device->vendor, device->product, device->name)) {
-            found->controllers |= 1u << inputs->glows[i].controller;
+            found->controllers |= 1u << inputs->lights[i].controller;
             lamps->said[inputs->lamp_count + i] = 0; /* it has just been switched on */
         }
     }
@@ -41,10 +41,10 @@ static void feel_controller(struct lamps *lamps, const struct event *event)
     if (!device || !device->controllers) {
         return;
     }
-    for (int i = 0; i < inputs->glow_count; i++) {
-        const struct inputs_glow *glow = &inputs->glows[i];
-        bool button = glow->button && glow->button == event->control && !event->relative;
-        if (device->controllers & 1u << glow->controller && (button || event->kind == EVENT_LEFT)) {
+    for (int i = 0; i < inputs->light_count; i++) {
+        const struct inputs_light *light = &inputs->lights[i];
+        bool button = light->button && light->button == event->control && !event->relative;
+        if (device->controllers & 1u << light->controller && (button || event->kind == EVENT_LEFT)) {
             lamps->lit[i] = event->kind == EVENT_CONTROL && !event->null && event->value > 0.5f;
         }
     }
@@ -89,7 +89,7 @@ float lamps_level(const struct lamps *lamps, int lamp, uint64_t now_us)
 
 bool lamps_next(struct lamps *lamps, uint64_t now_us, int *lamp, float *level)
 {
-    for (int i = 0; i < lamps->inputs->lamp_count + lamps->inputs->glow_count; i++) {
+    for (int i = 0; i < lamps->inputs->lamp_count + lamps->inputs->light_count; i++) {
         float wanted = lamps_level(lamps, i, now_us);
         bool end = (wanted <= 0 || wanted >= 1) && fabsf(wanted - lamps->said[i]) > 0;
         if (end || fabsf(wanted - lamps->said[i]) >= STEP) {

@@ -15,7 +15,7 @@ struct lamps { /* inputs set, all else zero */
     const struct inputs *inputs;
     uint64_t last_us; /* somebody did something */
     bool pressed[INPUTS_LINES];
-    bool lit[INPUTS_LINES]; /* the buttons of glows[] */
+    bool lit[INPUTS_LINES]; /* the buttons of lights[] */
     float said[LAMPS_MAX];  /* the level it was last given */
     struct lamps_device {   /* a controller that has lamps */
         uint32_t device;

@@ -35,19 +35,19 @@ static void fail(struct sources *sources, const char *name, const struct source_
     }
 }
 
-static void fill_glows(const struct inputs *inputs, struct hid_lamp_def *lamps)
+static void fill_lights(const struct inputs *inputs, struct hid_lamp_def *lamps)
 {
-    for (int i = 0; i < inputs->glow_count; i++) {
-        const struct inputs_glow *glow = &inputs->glows[i];
-        const struct inputs_device *of = &inputs->controllers[glow->controller];
+    for (int i = 0; i < inputs->light_count; i++) {
+        const struct inputs_light *light = &inputs->lights[i];
+        const struct inputs_device *of = &inputs->controllers[light->controller];
         lamps[i] = (struct hid_lamp_def){.lamp = inputs->lamp_count + i,
                                          .match = {of->vendor, of->product, of->name},
-                                         .usage = glow->usage,
-                                         .index = glow->index,
-                                         .report = (uint8_t)glow->report,
-                                         .bit = (uint32_t)glow->bit,
-                                         .bits = glow->bits,
-                                         .most = (uint32_t)glow->most};
+                                         .usage = light->usage,
+                                         .index = light->index,
+                                         .report = (uint8_t)light->report,
+                                         .bit = (uint32_t)light->bit,
+                                         .bits = light->bits,
+                                         .most = (uint32_t)light->most};
     }
 }
 
@@ -78,11 +78,11 @@ static void make_hid(struct sources *sources, const struct sources_def *def)
                                              .map_count = from->map_count};
     }
     struct hid_lamp_def lamps[INPUTS_LINES];
-    fill_glows(inputs, lamps);
+    fill_lights(inputs, lamps);
     const struct source_hid_def hid = {.devices = devices,
                                        .device_count = maps ? inputs->controller_count : 0,
                                        .lamps = lamps,
-                                       .lamp_count = inputs->glow_count,
+                                       .lamp_count = inputs->light_count,
                                        .controllers = inputs->others,
                                        .vendor = def->look};
     if (!sources_add(sources, source_hid_create(&hid, &error))) {

@@ -116,16 +116,15 @@ static void order(struct visit *visit, enum visit_order_kind kind, bool on)
 static void give(struct visit *visit, const struct rule *rule)
 {
     const struct face *from = &faces[visit->state], *to = &faces[rule->next];
-    if (rule->orders & KEEP && visit->painted && !visit->kept) {
+    if (rule->orders & KEEP && visit->painted) {
         order(visit, ORDER_KEEP, true);
-        visit->kept = true;
     }
     if (rule->orders & SCENE) {
         order(visit, ORDER_SCENE, true);
     }
     if (rule->orders & SHEET) {
         order(visit, ORDER_SHEET, true);
-        visit->painted = visit->kept = false;
+        visit->painted = false;
     }
     if (rule->orders & WASH && visit->painted) {
         order(visit, ORDER_WASH, true);

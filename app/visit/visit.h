@@ -91,7 +91,6 @@ struct visit {
     bool status;                            /* the staff's view is up */
     bool closed;                            /* what the schedule said last */
     bool painted;                           /* something is on the sheet that a visitor painted */
-    bool kept;                              /* and it has been kept */
     uint32_t visits;                        /* begun */
     struct visit_order orders[ORDER_KINDS]; /* one of a kind: a later one takes the place of an earlier one */
     int count;

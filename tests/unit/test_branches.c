@@ -55,7 +55,7 @@ static struct branch_point end_of(const struct branches *branches, int i, int en
 
 static bool same(struct branch_point a, struct branch_point b)
 {
-    return memcmp(&a, &b, sizeof a) == 0;
+    return !(a.x < b.x || a.x > b.x || a.y < b.y || a.y > b.y);
 }
 
 /* Trees have one end more than branches: places where ends meet, less branches, are the trees; a ring would be one
@@ -172,7 +172,7 @@ static void paint(float *depth)
         drop.brush = brush_find("fern");
         engine->ops->act(engine, &drop);
     }
-    for (int i = 0; i < 450; i++) {
+    for (int i = 0; i < 350; i++) {
         engine->ops->tick(engine);
     }
     engine->ops->read(engine, PAINTING_CARVED, depth);

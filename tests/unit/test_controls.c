@@ -379,13 +379,13 @@ static void lamps_of_controllers_light_for_their_own(void **state)
 {
     (void)state;
     struct place place = open_place("controllers:\n"
-                                    "  - {id: board, vendor: 1, name: board, lamps: [\n"
+                                    "  - {id: board, vendor: 1, name: board, lights: [\n"
                                     "      {id: a, usage: 'LED: Power', button: Button 1},\n"
                                     "      {id: b, bit: 8, bits: 8, most: 100, button: Button 2}]}\n"
-                                    "  - {id: pad, name: pad, lamps: [{id: c, bit: 0, button: Button 1}]}\n"
+                                    "  - {id: pad, name: pad, lights: [{id: c, bit: 0, button: Button 1}]}\n"
                                     "gpio: {lamps: [{id: l, line: A}]}\n");
-    const struct inputs_glow *glow = &place.inputs->glows[1];
-    assert_true(place.inputs->glow_count == 3 && glow->controller == 0 && !glow->usage && glow->most == 100);
+    const struct inputs_light *light = &place.inputs->lights[1];
+    assert_true(place.inputs->light_count == 3 && light->controller == 0 && !light->usage && light->most == 100);
     struct lamps lamps = {.inputs = place.inputs};
     struct event event = {.kind = EVENT_CONTROL, .source = SOURCE_HID, .device = 5, .value = 1, .time_us = 100000000};
     int lamp;

@@ -191,7 +191,6 @@ static void the_oldest_go_first(void **state)
     gallery_destroy(gallery);
 
     unlink("state/gallery/frond-000005-20260115-120002.png"); /* by hand */
-    put("state/gallery/.frond-0123456789abcdef.part", "of a writer that was killed");
     gallery = open_gallery("state/gallery", 3, 1 << 20);
     settle(gallery);
     assert_int_equal(gallery_count(gallery), 2);
@@ -306,6 +305,26 @@ static void what_was_kept_is_read(void **state)
     gallery_destroy(gallery); /* whatever is under way */
 }
 
+/* A journal without its picture is nothing to be seen, has a number, and goes in its turn. */
+static void what_a_killed_writer_leaves(void **state)
+{
+    (void)state;
+    char list[LIST][GALLERY_NAME];
+    mkdir("g", 0777);
+    put("g/frond-000007.journal", "of a picture that never was");
+    put("g/.frond-0123456789abcdef.part", "half of it");
+    struct gallery *gallery = open_gallery("g", 2, 1 << 20);
+    settle(gallery);
+    assert_int_equal(gallery_count(gallery), 0);
+    assert_int_equal(gallery_list(gallery, list, LIST), 0);
+    keep(gallery, 1, 0);
+    assert_holds("g", "frond-000007.journal frond-000008.png");
+    keep(gallery, 2, 0);
+    assert_holds("g", "frond-000008.png frond-000009.png");
+    assert_quiet(gallery);
+    gallery_destroy(gallery);
+}
+
 static void only_so_many_wait(void **state)
 {
     (void)state;
@@ -400,10 +419,15 @@ int main(void)
 {
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names),          IN_FOLDER(the_oldest_go_first),
-        IN_FOLDER(bytes_have_a_cap),      IN_FOLDER(journal_and_plan_beside),
-        IN_FOLDER(what_was_kept_is_read), IN_FOLDER(only_so_many_wait),
-        IN_FOLDER(a_disk_that_fills_up),  IN_FOLDER(a_folder_that_cannot_be),
+        cmocka_unit_test(names),
+        IN_FOLDER(the_oldest_go_first),
+        IN_FOLDER(bytes_have_a_cap),
+        IN_FOLDER(journal_and_plan_beside),
+        IN_FOLDER(what_was_kept_is_read),
+        IN_FOLDER(what_a_killed_writer_leaves),
+        IN_FOLDER(only_so_many_wait),
+        IN_FOLDER(a_disk_that_fills_up),
+        IN_FOLDER(a_folder_that_cannot_be),
     };
     setenv("TZ", "UTC", 1);
     tzset();

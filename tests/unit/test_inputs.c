@@ -129,15 +129,24 @@ static const struct script_case BAD[] = {
     {"a switch that is turned",
      BYTES("inputs: 1\ngpio: {encoders: [{id: w, a: GPIO1, b: GPIO2}]}\nbindings:\n  - {encoder: w, switch: {}}\n"),
      "s.yaml:4:26: bindings[0].switch: goes down and comes up; touch: press, a usage, a button or a key\n"},
-    {"a lamp nowhere", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lamps: [{id: l, bits: 4}]}]\n"), "s.yaml:2:40: controllers[0].lamps[0]: nothing says where it is; usage, or bit: its first bit in the output report\n"},
+    {"a lamp nowhere", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: [{id: l, bits: 4}]}]\n"),
+     "s.yaml:2:41: controllers[0].lights[0]: nothing says where it is; usage, or bit: its first bit in the output "
+     "report\n"},
     {"a lamp in two places",
-     BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lamps: [{id: l, bit: 4, usage: 'LED: Power'}]}]\n"), "s.yaml:2:53: controllers[0].lamps[0]: usage says where it is already; one of both\n"},
+     BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: [{id: l, bit: 4, usage: 'LED: Power'}]}]\n"),
+     "s.yaml:2:54: controllers[0].lights[0]: usage says where it is already; one of both\n"},
     {"a lamp of no usage",
-     BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lamps: [{id: l, usage: Lamp, button: 3}]}]\n"), "s.yaml:2:55: controllers[0].lamps[0].usage: unknown usage 'Lamp'; a HID usage by name (X, Dial, Button 3) or number (0x00090003)\n"
-     "s.yaml:2:69: controllers[0].lamps[0].button: unknown usage '3'; a HID usage by name (X, Dial, Button 3) or number (0x00090003)\n"},
-    {"a lamp of no list", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lamps: yes}]\n"), "s.yaml:2:39: controllers[0].lamps: 'yes'; a list of {id: WORD, usage: NAME, ...}\n"},
-    {"a lamp of a keyboard", BYTES("inputs: 1\nkeyboards: [{id: a, name: x, lamps: []}]\n"), "s.yaml:2:30: keyboards[0].lamps: unknown key; one of id, vendor, product, name\n"},
-    {"a lamp in a word", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lamps: [on]}]\n"), "s.yaml:2:40: controllers[0].lamps[0]: 'on'; {id: WORD, usage: NAME, ...} or {id: WORD, bit: N, bits: N, ...}\n"},
+     BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: [{id: l, usage: Lamp, button: 3}]}]\n"),
+     "s.yaml:2:56: controllers[0].lights[0].usage: unknown usage 'Lamp'; a HID usage by name (X, Dial, Button 3) or "
+     "number (0x00090003)\n"
+     "s.yaml:2:70: controllers[0].lights[0].button: unknown usage '3'; a HID usage by name (X, Dial, Button 3) or "
+     "number (0x00090003)\n"},
+    {"a lamp of no list", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: yes}]\n"),
+     "s.yaml:2:40: controllers[0].lights: 'yes'; a list of {id: WORD, usage: NAME, ...}\n"},
+    {"a lamp of a keyboard", BYTES("inputs: 1\nkeyboards: [{id: a, name: x, lights: []}]\n"),
+     "s.yaml:2:30: keyboards[0].lights: unknown key; one of id, vendor, product, name\n"},
+    {"a lamp in a word", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: [on]}]\n"),
+     "s.yaml:2:41: controllers[0].lights[0]: 'on'; {id: WORD, usage: NAME, ...} or {id: WORD, bit: N, bits: N, ...}\n"},
     {"an ink", BYTES("inputs: 1\nbindings:\n  - {touch: tap, drop: {ink: ochr}}\n"),
      "s.yaml:3:30: bindings[0].drop.ink: unknown ink 'ochr'; did you mean ochre? One of " INKS "\n"},
 };

@@ -25,7 +25,7 @@ enum { PATIENCE_MS = 8000 };
 static const char TEXT[] = "inputs: 1\n"
                            "controllers:\n"
                            "  - {id: pad, vendor: '1209', name: little}\n"
-                           "  - {id: mouse, name: space, lamps: [{id: ring, usage: 'LED: Generic indicator'}]}\n"
+                           "  - {id: mouse, name: space, lights: [{id: ring, usage: 'LED: Generic indicator'}]}\n"
                            "gpio:\n"
                            "  buttons: [{id: red, chip: mock-gpio, line: 1, debounce: 0}]\n"
                            "  lamps: [{id: light, line: LINE2, button: red}]\n"
