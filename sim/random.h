@@ -16,6 +16,7 @@ enum random_stream {
     RANDOM_VARY_ALPHA_A,
     RANDOM_VARY_SET,
     RANDOM_GRAIN, /* paper */
+    RANDOM_RIM,   /* the edge of the time brush */
 };
 
 static inline uint32_t random_mix(uint32_t x)

@@ -40,6 +40,7 @@ void figure_random(struct figure *figure);  /* figure_random.c */
 void figure_brushes(struct figure *figure); /* figure_brushes.c */
 void figure_margin(struct figure *figure);  /* figure_margin.c */
 void figure_rest(struct figure *figure);    /* figure_rest.c */
+void figure_history(struct figure *figure); /* figure_history.c */
 void figure_gpu(struct figure *figure);     /* figure_gpu.c */
 
 /* Prints "ok" or "FAIL", the name of the group and the text; counts. Returns `holds`. */

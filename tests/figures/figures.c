@@ -33,6 +33,7 @@ static const struct figure_group GROUPS[] = {
     {"brushes", "the six brushes", figure_brushes},
     {"margin", "growth over the edge of the sheet", figure_margin},
     {"rest", "a finished painting comes to rest", figure_rest},
+    {"history", "undo, redo and the time brush", figure_history},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };
