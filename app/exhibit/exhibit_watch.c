@@ -6,17 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 
 #include "folder_watch.h"
 #include "pictures.h"
 
-enum { LOOK_US = 1000000, PATH_BYTES = 1200 };
+enum { LOOK_US = 1000000, PATH_BYTES = 1200, WRITTEN_MS_MOST = 60000 };
 
 struct exhibit_watch {
     char *path;
     struct folder_watch *folders; /* NULL: by the time of the file */
-    struct timespec stamp;
+    struct timespec looked;       /* its time when it was looked at last, without folders */
     uint64_t looked_us;
+    struct timespec stamp; /* its time when it was read last */
 
     bool reading; /* the thread is, or has, and was not joined */
     bool again;   /* something has changed meanwhile */
@@ -67,7 +69,7 @@ struct exhibit_watch *exhibit_watch_create(const char *path, const struct exhibi
         return NULL;
     }
     watch->folders = folder_watch_create();
-    watch->stamp = stamp_of(path);
+    watch->stamp = watch->looked = stamp_of(path);
     watch_folders(watch, exhibit);
     return watch;
 }
@@ -110,9 +112,9 @@ static bool has_changed(struct exhibit_watch *watch, uint64_t now_us)
         return false;
     }
     struct timespec stamp = stamp_of(watch->path);
-    bool other = stamp.tv_sec != watch->stamp.tv_sec || stamp.tv_nsec != watch->stamp.tv_nsec;
+    bool other = stamp.tv_sec != watch->looked.tv_sec || stamp.tv_nsec != watch->looked.tv_nsec;
     watch->looked_us = now_us;
-    watch->stamp = stamp;
+    watch->looked = stamp;
     return other;
 }
 
@@ -123,6 +125,19 @@ static void begin(struct exhibit_watch *watch, uint64_t now_us)
     atomic_store(&watch->done, false);
     watch->reading = pthread_create(&watch->thread, NULL, read_again, watch) == 0;
     watch->again = !watch->reading; /* no thread is to be had: another time */
+}
+
+/* Since the file was written, where it was, else since a change of its folders was noticed. */
+static double took_ms(struct exhibit_watch *watch, uint64_t now_us)
+{
+    struct timespec stamp = stamp_of(watch->path), now;
+    bool other = stamp.tv_sec != watch->stamp.tv_sec || stamp.tv_nsec != watch->stamp.tv_nsec;
+    clock_gettime(CLOCK_REALTIME, &now);
+    double ms = 1e3 * (double)(now.tv_sec - stamp.tv_sec) + 1e-6 * (double)(now.tv_nsec - stamp.tv_nsec);
+    watch->stamp = stamp;
+    return other && ms >= 0 && ms < WRITTEN_MS_MOST
+               ? ms
+               : 1e-3 * (double)(now_us - watch->noticed_us) + FOLDER_WATCH_SETTLE_MS;
 }
 
 enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_us, struct exhibit **exhibit,
@@ -137,7 +152,7 @@ enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_u
     }
     pthread_join(watch->thread, NULL);
     watch->reading = false;
-    watch->ms = 1e-3 * (double)(now_us - watch->noticed_us);
+    watch->ms = took_ms(watch, now_us);
     *exhibit = watch->exhibit;
     *report = watch->report;
     watch->exhibit = NULL;

@@ -25,7 +25,7 @@ struct exhibit_watch *exhibit_watch_create(const char *path, const struct exhibi
 void exhibit_watch_destroy(struct exhibit_watch *watch);
 enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_us, struct exhibit **exhibit,
                                      char **report);
-/* From the change, as it was noticed, to the news: ms of the last reading. */
+/* From the writing of the file to the news, the last time, ms. */
 double exhibit_watch_ms(const struct exhibit_watch *watch);
 
 #endif

@@ -29,6 +29,7 @@
 
 #include "action.h"
 #include "bytes.h"
+#include "history.h"
 #include "painting.h"
 #include "script.h"
 
@@ -70,10 +71,11 @@ struct journal_sheet {
     int mode;                /* enum ink_mixing */
     int inks[PAINTING_INKS]; /* indices into inks[] */
     int ink_count;
-    char scene[BYTES_TEXT]; /* its id; "": none */
+    char scene[BYTES_TEXT];     /* its id; "": none */
+    struct history_def history; /* what undo, redo and rewind go back to; `bytes` 0: there is no history */
 };
 
-/* The sheet of a script on a painting of this definition. */
+/* The sheet of a script on a painting of this definition, with the default history. */
 struct journal_sheet journal_sheet_of(const struct script *script, const struct painting_def *def);
 
 struct journal_error {

@@ -280,7 +280,7 @@ static bool open_input(struct live *live)
 {
     const struct live_input_def input = {
         .inputs = live->def->inputs, .rotation = live->def->rotation, .hold = live->def->hold};
-    const struct live_kiosk_def def = {live->def->exhibit, live->def->state};
+    const struct live_kiosk_def def = {live->def->exhibit, live->def->open, live->def->state};
     const struct live_status_def status = {.display = live->display,
                                            .studio = live->studio,
                                            .input = &live->input,

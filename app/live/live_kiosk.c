@@ -125,6 +125,7 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
         .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
         .seed = (uint64_t)time(NULL),
         .built = FROND_BUILT,
+        .open = def->open,
         .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power, stage_sheet, stage_status}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
     kiosk->kiosk = kiosk_create(&kiosk_def, now_us());

@@ -14,6 +14,7 @@
 
 struct live_kiosk_def {
     struct exhibit *exhibit; /* taken over; NULL: a session, and no kiosk */
+    bool open;               /* whatever the schedule says */
     const char *state;       /* folder that may be written to, with the gallery in it; NULL: nothing is kept */
 };
 

@@ -62,7 +62,7 @@ void kiosk_destroy(struct kiosk *kiosk)
 static void choose_again(struct kiosk *kiosk)
 {
     for (int i = 0; kiosk->controls && i < kiosk->hud.count; i++) {
-        controls_set_tool(kiosk->controls, i, kiosk->hud.panels[i].tool);
+        controls_set_tool(kiosk->controls, i, (enum exhibit_tool)kiosk->hud.panels[i].tool);
         controls_set_ink(kiosk->controls, i, kiosk->hud.panels[i].ink);
     }
 }
@@ -243,7 +243,7 @@ static void keep_hours(struct kiosk *kiosk, uint64_t now_us, time_t time)
     }
     kiosk->time = time;
     kiosk->hours = schedule_at(kiosk->exhibit, time, kiosk->def.built);
-    visit_feel(&kiosk->visit, kiosk->hours.open ? VISIT_OPEN : VISIT_CLOSE, now_us);
+    visit_feel(&kiosk->visit, kiosk->hours.open || kiosk->def.open ? VISIT_OPEN : VISIT_CLOSE, now_us);
 }
 
 static void tell_status(struct kiosk *kiosk, uint64_t now_us)

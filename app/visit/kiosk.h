@@ -47,6 +47,7 @@ struct kiosk_def {
     int width, height;       /* pixels of the sheet */
     uint64_t seed;           /* of the day: what paints by itself is another every time */
     time_t built;            /* of this program: a clock that is before it was never set */
+    bool open;               /* whatever the schedule says */
     struct kiosk_stage stage;
 };
 

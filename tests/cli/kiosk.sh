@@ -32,10 +32,10 @@ wait_for() {
 # Every exhibit that comes with Frond.
 for exhibit in "$exhibits"/*.yaml; do
     name=$(basename "$exhibit" .yaml)
-    timeout 60 "$frond" run "$exhibit" --display headless --mode 320x200 --rotate 0 --engine cpu --frames 40 \
+    timeout 60 "$frond" run "$exhibit" --display headless --mode 320x200 --rotate 0 --engine cpu --full --open --frames 12 \
         --state "$work/state" --shot "$name.png" >out.txt 2>err.txt </dev/null || fail "run $name: exit status $?"
     [ -s "$name.png" ] || fail "run $name: no picture"
-    grep -q "40 frames presented" err.txt || fail "run $name: not 40 frames"
+    grep -q "12 frames presented" err.txt || fail "run $name: not 12 frames"
 done
 [ -z "$(find "$work/state" -type f 2>/dev/null)" ] || fail "attract has written something"
 

@@ -97,7 +97,7 @@ static void screen_sheet_and_times_are_read(void **state)
     assert_int_equal(script->seed, 9);
     assert_int_equal(exhibit->sheet.rate, 30);
     assert_near(exhibit->visit.countdown, 10.5, 0);
-    assert_near(exhibit->visit.next_scene, 0, 0);
+    assert_int_equal(exhibit->visit.next_scene, 0);
     assert_near(exhibit->access.dwell_radius, 20, 0);
     assert_near(exhibit->access.zone[3], 0.95, 1e-6);
     assert_string_equal(exhibit->gallery.folder, "pictures");
