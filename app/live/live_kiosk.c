@@ -187,7 +187,7 @@ static void look_at_file(struct live_kiosk *kiosk)
         }
         return;
     }
-    switch (exhibit_watch_news(kiosk->watch, now_us(), &exhibit, &report)) {
+    switch (exhibit_watch_news(kiosk->watch, now_us(), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
     case EXHIBIT_READ:
         take_up(kiosk, exhibit);
         break;

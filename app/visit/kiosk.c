@@ -318,6 +318,9 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     visit_reload(&kiosk->visit, exhibit, now_us);
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk_scene(kiosk)->script);
     kiosk_obey(kiosk, now_us);
+    if (kiosk->attracting) { /* what paints itself begins anew; what a visitor has painted stays */
+        fresh_sheet(kiosk);
+    }
     return old;
 }
 
