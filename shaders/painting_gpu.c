@@ -8,7 +8,11 @@
 
 #include "painting_gpu_state.h"
 
-enum { FILL_WORDS = 1 << 22 }; /* of one dispatch: 65535 groups are promised */
+enum {
+    FILL_WORDS = 1 << 22,  /* of one dispatch: 65535 groups are promised */
+    STAGE_ALIGN = 256,     /* the most that a device may ask of where a block begins */
+    STAGE_BYTES = 4 << 20, /* that go at a time, or one plane */
+};
 static const float CLOSED_OPENNESS = -4.0f;
 
 struct gpu_planes { /* programs that fill and copy planes */
@@ -129,33 +133,54 @@ static bool make_stage(struct painting_gpu *gpu, size_t bytes)
     return status_of() == GL_NO_ERROR;
 }
 
-/* A plane's rectangle to or from the stage. */
-static void copy_rectangle(const struct painting_gpu *gpu, enum gpu_buffer kind, int plane, struct rectangle at,
-                           bool into)
+/* Planes [first, first + count) of a rectangle to or from the stage, `apart` bytes from one to the next there. */
+static void copy_rectangle(const struct painting_gpu *gpu, enum gpu_buffer kind, int first, int count,
+                           struct rectangle at, size_t apart, bool into)
 {
     int across = at.x1 - at.x0, down = at.y1 - at.y0;
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glUseProgram(gpu->planes->rectangle);
     glUniform4i(2, at.x0, at.y0, across, down);
-    glUniform2i(3, plane, into);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu_buffer_now(gpu, kind));
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, gpu->stage);
-    glDispatchCompute((GLuint)(across + 31) / 32, (GLuint)(down + 3) / 4, 1);
+    for (int i = 0; i < count; i++) {
+        glUniform2i(3, first + i, into);
+        glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 1, gpu->stage, (GLintptr)((size_t)i * apart), (GLsizeiptr)apart);
+        glDispatchCompute((GLuint)(across + 31) / 32, (GLuint)(down + 3) / 4, 1);
+    }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+/* How planes of a rectangle lie in the stage, and how many go at a time: one at least. */
+struct batch {
+    size_t bytes, apart; /* of a plane; from one to the next */
+    int most;
+};
+
+static struct batch batch_of(struct rectangle at, int count)
+{
+    struct batch batch = {.bytes = (size_t)(at.x1 - at.x0) * (size_t)(at.y1 - at.y0) * sizeof(uint32_t)};
+    batch.apart = (batch.bytes + STAGE_ALIGN - 1) / STAGE_ALIGN * STAGE_ALIGN;
+    batch.most = (int)(STAGE_BYTES / batch.apart);
+    batch.most = batch.most < 1 ? 1 : batch.most < count ? batch.most : count;
+    return batch;
 }
 
 bool gpu_write_planes(struct painting_gpu *gpu, enum gpu_buffer kind, int first, int count, struct rectangle at,
                       const void *words)
 {
-    size_t bytes = (size_t)(at.x1 - at.x0) * (size_t)(at.y1 - at.y0) * sizeof(uint32_t);
+    struct batch batch = batch_of(at, count);
     status_of(); /* errors of others are theirs */
-    if (!make_stage(gpu, bytes)) {
+    if (!make_stage(gpu, batch.apart * (size_t)batch.most)) {
         return false;
     }
-    for (int i = 0; i < count; i++) {
-        glBindBuffer(GL_SHADER_STORAGE_BUFFER, gpu->stage);
-        glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)bytes, (const char *)words + (size_t)i * bytes);
-        copy_rectangle(gpu, kind, first + i, at, true);
+    for (int done = 0; done < count; done += batch.most) {
+        int some = count - done < batch.most ? count - done : batch.most;
+        for (int i = 0; i < some; i++) {
+            glBindBuffer(GL_SHADER_STORAGE_BUFFER, gpu->stage);
+            glBufferSubData(GL_SHADER_STORAGE_BUFFER, (GLintptr)((size_t)i * batch.apart), (GLsizeiptr)batch.bytes,
+                            (const char *)words + (size_t)(done + i) * batch.bytes);
+        }
+        copy_rectangle(gpu, kind, first + done, some, at, batch.apart, true);
     }
     return status_of() == GL_NO_ERROR;
 }
@@ -172,15 +197,28 @@ bool gpu_read_bytes(unsigned buffer, size_t from, size_t bytes, void *to)
     return mapped && status_of() == GL_NO_ERROR;
 }
 
+/* Planes out of the stage, which are `batch.apart` there and lie close in memory. */
+static bool read_stage(const struct painting_gpu *gpu, const struct batch *batch, int count, char *to)
+{
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, gpu->stage);
+    const char *mapped =
+        glMapBufferRange(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)((size_t)count * batch->apart), GL_MAP_READ_BIT);
+    for (int i = 0; mapped && i < count; i++) {
+        memcpy(to + (size_t)i * batch->bytes, mapped + (size_t)i * batch->apart, batch->bytes);
+    }
+    return mapped && glUnmapBuffer(GL_SHADER_STORAGE_BUFFER) && status_of() == GL_NO_ERROR;
+}
+
 bool gpu_read_planes(struct painting_gpu *gpu, enum gpu_buffer kind, int first, int count, struct rectangle at,
                      void *words)
 {
-    size_t bytes = (size_t)(at.x1 - at.x0) * (size_t)(at.y1 - at.y0) * sizeof(uint32_t);
+    struct batch batch = batch_of(at, count);
     status_of(); /* errors of others are theirs */
-    bool good = make_stage(gpu, bytes);
-    for (int i = 0; good && i < count; i++) {
-        copy_rectangle(gpu, kind, first + i, at, false);
-        good = gpu_read_bytes(gpu->stage, 0, bytes, (char *)words + (size_t)i * bytes);
+    bool good = make_stage(gpu, batch.apart * (size_t)batch.most);
+    for (int done = 0; good && done < count; done += batch.most) {
+        int some = count - done < batch.most ? count - done : batch.most;
+        copy_rectangle(gpu, kind, first + done, some, at, batch.apart, false);
+        good = read_stage(gpu, &batch, some, (char *)words + (size_t)done * batch.bytes);
     }
     return good;
 }

@@ -13,18 +13,12 @@ static struct rectangle whole_of(const struct painting_gpu *gpu)
     return (struct rectangle){0, gpu->width, 0, gpu->height};
 }
 
-/* The planes of a checkpoint that lie together in one buffer. */
-struct stretch {
-    enum gpu_buffer kind;
-    int first, count, plane;
-};
-static const struct stretch STRETCHES[] = {
+const struct gpu_stretch gpu_stretches[GPU_STRETCHES] = {
     {BUFFER_FLUID, GPU_SOLVENT, GPU_FLUID_PLANES, CHECKPOINT_SOLVENT},
     {BUFFER_PATTERN, GPU_ACTIVE, GPU_PATTERN_PLANES, CHECKPOINT_ACTIVE},
     {BUFFER_SHEET, GPU_DRY, PAINTING_INKS, CHECKPOINT_DRY},
     {BUFFER_SHEET, GPU_DENSITY, 1, CHECKPOINT_DENSITY},
 };
-enum { STRETCH_COUNT = sizeof STRETCHES / sizeof STRETCHES[0] };
 
 bool gpu_save(struct painting_gpu *gpu, struct checkpoint *checkpoint)
 {
@@ -33,8 +27,8 @@ bool gpu_save(struct painting_gpu *gpu, struct checkpoint *checkpoint)
         !gpu_read_bytes(gpu->tiles, GPU_HEAD_QUIET * sizeof head[0], sizeof head, head)) {
         return false;
     }
-    for (int i = 0; i < STRETCH_COUNT; i++) {
-        const struct stretch *stretch = &STRETCHES[i];
+    for (int i = 0; i < GPU_STRETCHES; i++) {
+        const struct gpu_stretch *stretch = &gpu_stretches[i];
         if (!gpu_read_planes(gpu, stretch->kind, stretch->first, stretch->count, whole_of(gpu),
                              checkpoint_plane(checkpoint, stretch->plane))) {
             return false;
@@ -80,8 +74,8 @@ bool gpu_load(struct painting_gpu *gpu, const struct checkpoint *checkpoint)
     gpu->tick = checkpoint->tick;
     bool whole = true;
     gpu_act_upload_ground(gpu);
-    for (int i = 0; i < STRETCH_COUNT; i++) {
-        const struct stretch *stretch = &STRETCHES[i];
+    for (int i = 0; i < GPU_STRETCHES; i++) {
+        const struct gpu_stretch *stretch = &gpu_stretches[i];
         whole = whole && gpu_write_planes(gpu, stretch->kind, stretch->first, stretch->count, whole_of(gpu),
                                           checkpoint_plane(checkpoint, stretch->plane));
     }
@@ -159,8 +153,8 @@ bool engine_gpu_checkpoint_begin(struct engine *engine)
     }
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_COPY_WRITE_BUFFER, rolling->copy);
-    for (int i = 0; i < STRETCH_COUNT; i++) {
-        const struct stretch *stretch = &STRETCHES[i];
+    for (int i = 0; i < GPU_STRETCHES; i++) {
+        const struct gpu_stretch *stretch = &gpu_stretches[i];
         copy_words(gpu_buffer_now(gpu, stretch->kind), (size_t)stretch->first * plane, (size_t)stretch->count * plane,
                    (size_t)stretch->plane * plane);
     }

@@ -80,6 +80,21 @@ static bool load(struct engine *engine, const struct checkpoint *checkpoint)
     return gpu_load(gpu_of(engine), checkpoint);
 }
 
+static bool save_patch(struct engine *engine, struct patch *patch)
+{
+    return gpu_save_patch(gpu_of(engine), patch);
+}
+
+static bool load_patch(struct engine *engine, const struct patch *patch)
+{
+    return gpu_load_patch(gpu_of(engine), patch);
+}
+
+static bool find_changed(struct engine *engine, uint8_t *changed)
+{
+    return gpu_find_changed(gpu_of(engine), changed);
+}
+
 static const struct engine_ops OPS = {.name = "gpu",
                                       .destroy = destroy,
                                       .act = act,
@@ -92,7 +107,10 @@ static const struct engine_ops OPS = {.name = "gpu",
                                       .effort = effort,
                                       .bytes = bytes,
                                       .save = save,
-                                      .load = load};
+                                      .load = load,
+                                      .save_patch = save_patch,
+                                      .load_patch = load_patch,
+                                      .changed = find_changed};
 
 static bool add_parts(struct painting_gpu *gpu, struct shader_error *error)
 {

@@ -3,7 +3,7 @@
  *   painting_gpu_steps.c   a tick: tile lists, openness, fluid steps, pattern steps
  *   painting_gpu_act.c     actions: what the CPU plans (deposit.h) brought to the cells; changed ground uploaded
  *   painting_gpu_upkeep.c  drying, re-wetting, settling, evaporation
- *   painting_gpu_read.c    reading, totals, checkpoints, publishing
+ *   painting_gpu_read.c    reading, totals, publishing; painting_gpu_checkpoint.c, painting_gpu_patch.c
  *
  * Few large buffers of planes. A plane is [rows][stride] words: the sheet rounded up to whole tiles, and around it an
  * apron of GPU_APRON cells, which no shader writes; cell (x, y) is word gpu_word(gpu, x, y). Beyond the sheet all is
@@ -20,6 +20,7 @@
 
 #include "ground.h"
 #include "painting_gpu.h"
+#include "patch.h"
 #include "rectangle.h"
 
 enum {
@@ -85,9 +86,18 @@ enum gpu_tile_bit {
     BIT_SPECIAL = 64,
     BIT_CARVED = 128,
     BIT_DAMP = 256,
+    BIT_CHANGED = 512, /* anything may have changed since a history last asked; no layer heeds it */
 };
 
 enum gpu_buffer { BUFFER_FLUID, BUFFER_PATTERN, BUFFER_SHEET };
+
+/* The planes of a checkpoint that lie together in one buffer (painting_gpu_checkpoint.c). */
+struct gpu_stretch {
+    enum gpu_buffer kind;
+    int first, count, plane;
+};
+enum { GPU_STRETCHES = 4 };
+extern const struct gpu_stretch gpu_stretches[GPU_STRETCHES];
 
 struct gpu_planes;
 struct gpu_steps;
@@ -182,7 +192,8 @@ bool gpu_act_reload(struct painting_gpu *gpu, struct shader_error *error);
 void gpu_act_destroy(struct painting_gpu *gpu);
 /* As painting_act. */
 void gpu_act(struct painting_gpu *gpu, const struct action *action);
-/* The whole ground from the CPU's copy. */
+/* The ground of some cells, of all of them, from the CPU's copy. */
+void gpu_act_upload(struct painting_gpu *gpu, struct rectangle cells);
 void gpu_act_upload_ground(struct painting_gpu *gpu);
 
 bool gpu_upkeep_create(struct painting_gpu *gpu, struct shader_error *error);
@@ -203,6 +214,9 @@ struct painting_totals gpu_read_totals(struct painting_gpu *gpu);
 size_t gpu_read_bytes_taken(const struct painting_gpu *gpu);
 bool gpu_save(struct painting_gpu *gpu, struct checkpoint *checkpoint);
 bool gpu_load(struct painting_gpu *gpu, const struct checkpoint *checkpoint);
+bool gpu_save_patch(struct painting_gpu *gpu, struct patch *patch);
+bool gpu_load_patch(struct painting_gpu *gpu, const struct patch *patch);
+bool gpu_find_changed(struct painting_gpu *gpu, uint8_t *changed);
 
 /* Compute programs, one each of `parts`; all anew or, with an error, all as they were. Old ones are deleted. */
 struct gpu_program_part {

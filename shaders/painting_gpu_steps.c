@@ -288,7 +288,7 @@ void gpu_steps_stir(struct painting_gpu *gpu)
 
 void gpu_steps_touch(struct painting_gpu *gpu, struct rectangle cells)
 {
-    mark(gpu, cells, BIT_FLOWS | BIT_OPENED | BIT_GROWS | BIT_FED | BIT_CARVED | BIT_DAMP, true);
+    mark(gpu, cells, BIT_FLOWS | BIT_OPENED | BIT_GROWS | BIT_FED | BIT_CARVED | BIT_DAMP | BIT_CHANGED, true);
     gpu_steps_stir(gpu);
 }
 

@@ -8,6 +8,7 @@ const uint BIT_ALIVE = 32u;
 const uint BIT_SPECIAL = 64u;
 const uint BIT_CARVED = 128u;
 const uint BIT_DAMP = 256u;
+const uint BIT_CHANGED = 512u;
 
 const int LIST_FLUID = 0;
 const int LIST_FREE = 1;

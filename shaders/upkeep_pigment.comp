@@ -104,7 +104,7 @@ void main()
     }
     if (own == 0) {
         uint flags = tiles[flags_of(tile)] & ~BIT_DAMP;
-        flags |= noted != 0u ? BIT_DAMP : 0u;
+        flags |= noted != 0u ? BIT_DAMP | BIT_CHANGED : 0u;
         flags |= (noted & 2u) != 0u ? BIT_FLOWS | BIT_FED : 0u;
         tiles[flags_of(tile)] = flags;
         tiles[evaporated_of(tile)] = floatBitsToUint(uintBitsToFloat(tiles[evaporated_of(tile)]) + taken[0]);

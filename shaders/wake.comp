@@ -42,9 +42,8 @@ void main()
             bool special = lists.x != lists.y && ((rule.w & 2u) != 0u || (bits & BIT_SPECIAL) != 0u);
             uint place = atomicAdd(counts[special ? 1 : 0], 1u);
             tiles[listed(special ? lists.y : lists.x, int(place))] = uint(tile);
-            if (rule.x == BIT_GROWS) { // the last pass finds out anew
-                tiles[flags_of(tile)] &= ~BIT_ALIVE;
-            }
+            uint flags = tiles[flags_of(tile)] | BIT_CHANGED;
+            tiles[flags_of(tile)] = rule.x == BIT_GROWS ? flags & ~BIT_ALIVE : flags; // the last pass finds out anew
         }
     }
     memoryBarrierShared();

@@ -37,8 +37,12 @@ enum action_verb {
     ACTION_UNMASK,        /* takes obstacles away */
     ACTION_DRY,           /* wet pigment and liquid dry at once */
     ACTION_WET,           /* dry pigment loosens and solvent comes (section 5.3) */
+    ACTION_RINSE,         /* running water: ink smears along and leaves, what has grown dissolves */
     ACTION_SET,           /* a coefficient, everywhere or varying over the sheet (figure 1) */
     ACTION_CLEAR,         /* a fresh sheet; coefficients set for the whole sheet stay */
+    ACTION_UNDO,          /* takes back what a visitor did last; engines leave these three to sim/history.h */
+    ACTION_REDO,          /* brings back what undo took */
+    ACTION_REWIND,        /* the time brush: what is under the stroke goes back in time */
     ACTION_VERBS,
 };
 
@@ -62,12 +66,14 @@ enum action_reading {                    /* how a picture becomes a vector field
 struct action {
     int64_t tick;
     enum action_verb verb;
+    int visitor; /* who does it: 0 nobody or the script, 1.. a visitor; undo and redo of 0: whoever acted last */
     struct point at;
+    struct point flow; /* where water runs, any length; 0, 0: down */
     bool has_at;
     struct action_path path;
     struct action_raster formula, picture;
     int ink, brush, edge, over, reading, coefficient;
-    float radius, reach, solvent, amount, strength, value, to, vary, size;
+    float radius, reach, solvent, amount, strength, value, to, vary, size, ticks;
     bool invert;
 };
 

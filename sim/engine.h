@@ -6,6 +6,7 @@
 
 #include "checkpoint.h"
 #include "painting.h"
+#include "patch.h"
 
 struct engine;
 
@@ -25,6 +26,11 @@ struct engine_ops {
     /* False when memory is short or the GPU is lost; a checkpoint of another size of sheet is refused. */
     bool (*save)(struct engine *engine, struct checkpoint *checkpoint);
     bool (*load)(struct engine *engine, const struct checkpoint *checkpoint);
+    /* As painting_save_patch, painting_load_patch and painting_changed; they, too, wait for the engine and read back.
+     * False moreover when the GPU is lost. `changed` may set more tiles than have changed, never fewer. */
+    bool (*save_patch)(struct engine *engine, struct patch *patch);
+    bool (*load_patch)(struct engine *engine, const struct patch *patch);
+    bool (*changed)(struct engine *engine, uint8_t *changed);
 };
 
 struct engine { /* first member of every engine */

@@ -73,6 +73,22 @@ static bool load(struct engine *engine, const struct checkpoint *checkpoint)
     return painting_load(painting_of(engine), checkpoint);
 }
 
+static bool save_patch(struct engine *engine, struct patch *patch)
+{
+    return painting_save_patch(painting_of(engine), patch);
+}
+
+static bool load_patch(struct engine *engine, const struct patch *patch)
+{
+    return painting_load_patch(painting_of(engine), patch);
+}
+
+static bool find_changed(struct engine *engine, uint8_t *changed)
+{
+    painting_changed(painting_of(engine), changed);
+    return true;
+}
+
 static const struct engine_ops OPS = {.name = "cpu",
                                       .destroy = destroy,
                                       .act = act,
@@ -85,7 +101,10 @@ static const struct engine_ops OPS = {.name = "cpu",
                                       .effort = effort,
                                       .bytes = bytes,
                                       .save = save,
-                                      .load = load};
+                                      .load = load,
+                                      .save_patch = save_patch,
+                                      .load_patch = load_patch,
+                                      .changed = find_changed};
 
 struct engine *engine_cpu_create(const struct painting_def *def)
 {

@@ -89,10 +89,11 @@ static bool take_state(struct painting *painting)
     painting->dry = take(painting, cells * INKS, sizeof(float));
     painting->ground = ground_create(&painting->def);
     painting->tile_sums = take(painting, tiles, sizeof(double));
+    painting->line_sums = take(painting, 2 * (size_t)painting->tiles.rows, sizeof(double));
     painting->tile_carved = take(painting, tiles, sizeof(uint16_t));
     painting->rows = take(painting, (size_t)team_size(painting->team), sizeof *painting->rows);
     if (!painting->fluid || !painting->pattern || !painting->solvent || !painting->dry || !painting->ground ||
-        !painting->tile_sums || !painting->tile_carved || !painting->rows ||
+        !painting->tile_sums || !painting->line_sums || !painting->tile_carved || !painting->rows ||
         !deposit_init(&painting->deposit, &painting->bytes)) {
         return false;
     }
@@ -151,6 +152,7 @@ void painting_destroy(struct painting *painting)
     deposit_finish(&painting->deposit);
     free(painting->halo);
     free(painting->tile_sums);
+    free(painting->line_sums);
     free(painting->tile_carved);
     tiles_finish(&painting->tiles);
     team_destroy(painting->team);
@@ -198,7 +200,8 @@ void painting_stir(struct painting *painting)
 
 void painting_touch(struct painting *painting, int x0, int x1, int y0, int y1)
 {
-    static const enum tile_flag WAKES[] = {TILE_FLOWS, TILE_OPENED, TILE_GROWS, TILE_FED, TILE_CARVED, TILE_DAMP};
+    static const enum tile_flag WAKES[] = {TILE_FLOWS,  TILE_OPENED, TILE_GROWS,  TILE_FED,
+                                           TILE_CARVED, TILE_DAMP,   TILE_CHANGED};
     for (size_t i = 0; i < sizeof WAKES / sizeof WAKES[0]; i++) {
         tiles_mark(&painting->tiles, WAKES[i], x0, x1, y0, y1);
     }

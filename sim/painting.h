@@ -130,6 +130,14 @@ struct checkpoint;
 bool painting_save(const struct painting *painting, struct checkpoint *checkpoint);
 bool painting_load(struct painting *painting, const struct checkpoint *checkpoint);
 
+/* A rectangle of it (patch.h), and back: what is put back wakes. False for one that is not on the sheet or larger than
+ * its room. */
+struct patch;
+bool painting_save_patch(const struct painting *painting, struct patch *patch);
+bool painting_load_patch(struct painting *painting, const struct patch *patch);
+/* Sets the bytes of those tiles (tiles.h, row by row) that may have changed since the last call; leaves the others. */
+void painting_changed(struct painting *painting, uint8_t *changed);
+
 /* A hash of all state (-0 counted as 0): equal hashes, equal paintings, to the bit. */
 uint64_t painting_hash(const struct painting *painting);
 /* Bytes taken by painting_create. */

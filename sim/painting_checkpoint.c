@@ -10,7 +10,7 @@ struct transfer {
     bool load;
 };
 
-static float *row_of(const struct painting *painting, int plane, int y)
+float *painting_plane_row(const struct painting *painting, int plane, int y)
 {
     ptrdiff_t stride = painting->stride;
     if (plane < CHECKPOINT_ACTIVE) {
@@ -37,7 +37,7 @@ static void transfer_row(void *context, int y, int member)
     size_t width = (size_t)transfer->painting->width;
     (void)member;
     for (int plane = 0; plane < CHECKPOINT_PLANES; plane++) {
-        float *own = row_of(transfer->painting, plane, y);
+        float *own = painting_plane_row(transfer->painting, plane, y);
         float *kept = checkpoint_plane(transfer->checkpoint, plane) + (size_t)y * width;
         memcpy(transfer->load ? own : kept, transfer->load ? kept : own, width * sizeof *own);
     }

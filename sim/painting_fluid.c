@@ -188,6 +188,7 @@ static void note_tiles(struct fluid_pass *pass, int ty)
         tiles->flags[TILE_FLOWS][at] = any_changed != 0;
         tiles->flags[TILE_WET][at] |= any_changed != 0;
         tiles->flags[TILE_DAMP][at] |= any_changed != 0;
+        tiles->flags[TILE_CHANGED][at] |= any_changed != 0;
         tiles->flags[TILE_FED][at] |= any_fed != 0;
     }
     memset(changed, 0, (size_t)width * sizeof *changed);
@@ -221,6 +222,10 @@ static void sweep_run(void *context, int piece, int member)
     pass.kernel.round = dead_band(painting);
     int top = pass.run->y0 - pass.steps, bottom = pass.run->y1 + pass.steps;
     int first = top < 0 ? 0 : top, end = bottom > painting->height ? painting->height : bottom;
+    if (first == 0) { /* beyond the upper edge nothing is open: pigment asks, and no row of the ring was made for it */
+        memset(gates_row(&pass, GATE_ROWS - 1) + OPEN_INK * RING - 1, 0,
+               (size_t)(pass.span.to - pass.span.from + 2) * sizeof(float));
+    }
     for (int s = first; s < bottom; s++) {
         if (s < end) {
             if (!reads_in_place(&pass, s - 1) || !reads_in_place(&pass, s) || !reads_in_place(&pass, s + 1)) {

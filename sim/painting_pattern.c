@@ -166,6 +166,7 @@ static void note_tiles(struct pattern_pass *pass, int ty)
         }
         tiles->flags[TILE_GROWS][at] = (any & PATTERN_CHANGED) != 0;
         tiles->flags[TILE_CARVED][at] |= (any & PATTERN_CHANGED) != 0;
+        tiles->flags[TILE_CHANGED][at] |= (any & PATTERN_CHANGED) != 0;
         tiles->flags[TILE_ALIVE][at] = (any & PATTERN_ALIVE) != 0;
         tiles->flags[TILE_OPENED][at] |= (any & PATTERN_OPENED) != 0;
     }

@@ -75,6 +75,7 @@ static void keep_tile(const struct upkeep *upkeep, int tx, int ty)
     }
     painting->tile_sums[at] = left;
     tiles->flags[TILE_DAMP][at] = changed || evaporated;
+    tiles->flags[TILE_CHANGED][at] |= changed || evaporated;
     tiles->flags[TILE_FLOWS][at] |= evaporated;
     tiles->flags[TILE_FED][at] |= evaporated;
 }

@@ -21,6 +21,7 @@ enum tile_flag {
     TILE_SPECIAL, /* obstacles or guidance: needs the full kernel */
     TILE_CARVED,  /* the pattern changed since the carved area was last counted */
     TILE_DAMP,    /* drying or evaporation may still find something to do */
+    TILE_CHANGED, /* anything has changed since a history last asked; no layer heeds it */
     TILE_FLAGS,
 };
 

@@ -26,6 +26,7 @@ enum {
     SCRIPT_VERSION = 1,
     SCRIPT_ACTIONS_MAX = 100000,
     SCRIPT_TICKS_MAX = 10000000,
+    SCRIPT_VISITORS_MAX = 1000,
     SCRIPT_RASTER_VALUES_MAX = 1 << 25, /* of all formulas and pictures together: 128 MiB */
 };
 
@@ -56,6 +57,7 @@ struct script_def {
                  size_t size);
     void *data;
     size_t raster_values_max; /* floats of all formulas and pictures together */
+    bool every_picture;       /* those of an exhibit's folder are loaded too, only to see whether they can be */
 };
 
 struct script_def script_default_def(void); /* no loader, SCRIPT_RASTER_VALUES_MAX */
@@ -76,7 +78,7 @@ char *script_folder(const char *path);
  * unit "section" is a list or a mapping of its own, and its type says nothing. */
 extern const struct key script_keys[];
 extern const struct key canvas_keys[];
-/* `tick` of an action; over struct { int tick; }. */
+/* `tick` and `visitor` of an action; over struct { int tick, visitor; }. */
 extern const struct key action_tick_keys[];
 
 #endif

@@ -8,7 +8,8 @@
 
 struct studio_def studio_default_def(void)
 {
-    return (struct studio_def){.engine = ENGINE_CPU, .ticks_per_second = STUDIO_TICKS_PER_SECOND};
+    return (struct studio_def){
+        .engine = ENGINE_CPU, .ticks_per_second = STUDIO_TICKS_PER_SECOND, .history = history_default_def()};
 }
 
 /* Starts the thread and waits until it has its engine, or has not. */
@@ -63,6 +64,7 @@ struct studio *studio_create(const struct studio_def *def, struct display *displ
         return NULL;
     }
     studio->def = *def;
+    studio->script = def->script;
     studio->report.scale = studio->scale = 1;
     studio->report.checkpoint_tick = -1;
     pthread_mutex_init(&studio->lock, NULL);
@@ -93,7 +95,7 @@ void studio_destroy(struct studio *studio)
     publisher_destroy(studio->publisher, false);
     checkpoint_finish(&studio->whole);
     checkpoint_finish(&studio->partial);
-    checkpoint_finish(&studio->before);
+    history_destroy(studio->history);
     pthread_cond_destroy(&studio->changed);
     pthread_mutex_destroy(&studio->lock);
     free(studio);
@@ -104,25 +106,48 @@ bool studio_post(struct studio *studio, const struct action *action)
     return studio_post_event(studio, action, 0);
 }
 
-bool studio_post_event(struct studio *studio, const struct action *action, uint64_t event_us)
+/* Puts it in the inbox; some places are kept for orders. */
+static bool post(struct studio *studio, const struct studio_action *posted)
 {
-    if (action->path.count > STUDIO_PATH) {
-        return false;
-    }
+    int most = posted->what == POSTED_ACTION ? STUDIO_INBOX : STUDIO_INBOX + STUDIO_ORDERS;
     pthread_mutex_lock(&studio->lock);
-    bool fits = studio->inbox_count < STUDIO_INBOX;
+    bool fits = studio->inbox_count < most;
     if (fits) {
-        struct studio_action *posted = &studio->inbox[studio->inbox_count++];
-        posted->action = *action;
-        posted->copied = true;
-        posted->event_us = event_us;
-        for (int i = 0; i < action->path.count; i++) {
-            posted->points[i] = action->path.points[i];
-        }
+        studio->inbox[studio->inbox_count++] = *posted;
     }
     pthread_cond_broadcast(&studio->changed);
     pthread_mutex_unlock(&studio->lock);
     return fits;
+}
+
+bool studio_post_event(struct studio *studio, const struct action *action, uint64_t event_us)
+{
+    struct studio_action posted = {.action = *action, .copied = true, .event_us = event_us};
+    if (action->path.count > STUDIO_PATH) {
+        return false;
+    }
+    for (int i = 0; i < action->path.count; i++) {
+        posted.points[i] = action->path.points[i];
+    }
+    return post(studio, &posted);
+}
+
+bool studio_fresh(struct studio *studio)
+{
+    return post(studio, &(struct studio_action){.what = POSTED_FRESH});
+}
+
+bool studio_change(struct studio *studio, const struct script *script)
+{
+    return post(studio, &(struct studio_action){.what = POSTED_SCRIPT, .script = script});
+}
+
+const struct script *studio_script(struct studio *studio)
+{
+    pthread_mutex_lock(&studio->lock);
+    const struct script *script = studio->script;
+    pthread_mutex_unlock(&studio->lock);
+    return script;
 }
 
 bool studio_consumed(struct studio *studio, struct studio_consumed *consumed)
@@ -141,14 +166,6 @@ bool studio_consumed(struct studio *studio, struct studio_consumed *consumed)
 const struct fields *studio_newest(struct studio *studio, bool *fresh)
 {
     return publisher_newest(studio->publisher, fresh);
-}
-
-void studio_undo(struct studio *studio)
-{
-    pthread_mutex_lock(&studio->lock);
-    studio->undo = true;
-    pthread_cond_broadcast(&studio->changed);
-    pthread_mutex_unlock(&studio->lock);
 }
 
 void studio_rest(struct studio *studio, bool rest)

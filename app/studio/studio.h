@@ -15,13 +15,14 @@
 #include "engine.h"
 #include "engine_choice.h"
 #include "fields.h"
+#include "history.h"
 #include "program.h"
 #include "script.h"
+#include "studio_tell.h"
 
 enum {
     STUDIO_TICKS_PER_SECOND = 60,
     STUDIO_CHECKPOINT_S = 4, /* from one rolling checkpoint to the next */
-    STUDIO_PAUSE_MS = 1000,  /* between what was posted: then something new begins, which can be undone */
     STUDIO_PATH = 8,         /* points of a path that is posted */
     STUDIO_CONSUMED = 512,
 };
@@ -33,6 +34,10 @@ struct studio_def {
     double ticks_per_second;            /* wanted; 0: as fast as they come */
     int threads;                        /* of the CPU engine; 0: one for each processor */
     bool xray;                          /* publish the layers as well */
+    struct history_def history;         /* what undo, redo and rewind go back to */
+    struct studio_teller teller;        /* told of all that happens to the painting */
+    const struct checkpoint *from;      /* begin with this painting; NULL: with a fresh sheet. It must outlive it */
+    int64_t from_ticked;                /* what studio_event.ticked begins with then */
     bool once;                          /* stop after the script's last tick; else rest, clear and begin again */
 };
 
@@ -49,8 +54,9 @@ struct studio;
 struct studio *studio_create(const struct studio_def *def, struct display *display, struct studio_error *error);
 void studio_destroy(struct studio *studio); /* takes NULL */
 
-/* Done before the next tick. Its path is copied; a raster must live as long as the studio. False when the path has more
- * than STUDIO_PATH points, or the inbox is full: nobody can be that quick. */
+/* Done before the next tick; undo, redo and rewind as in history.h. What the script does without naming a visitor is
+ * HISTORY_SCRIPT's: a posted undo of 0 concerns visitors only. Its path is copied; a raster must live as long as the
+ * studio. False when the path has more than STUDIO_PATH points, or the inbox is full: nobody can be that quick. */
 bool studio_post(struct studio *studio, const struct action *action);
 /* The same for what an event has caused, at `event_us` of CLOCK_MONOTONIC; 0: none has. See studio_consumed. */
 bool studio_post_event(struct studio *studio, const struct action *action, uint64_t event_us);
@@ -61,15 +67,14 @@ struct studio_consumed {
 };
 /* What has been taken since the last call, of that which events have caused; false: no more. Keeps STUDIO_CONSUMED. */
 bool studio_consumed(struct studio *studio, struct studio_consumed *consumed);
-/* Takes back what was posted last: the painting is again as it was before it began, after the last pause of
- * STUDIO_PAUSE_MS. Once; a second time only after something else was posted. */
-void studio_undo(struct studio *studio);
-/* A fresh sheet at the next tick, with another seed; nothing of the old one can be undone. */
-void studio_fresh(struct studio *studio);
-/* Another script from the next tick on: its inks, coefficients and seed. The painting stays, brought to the new canvas
- * where that is another (checkpoint_resample). The old script and the new must outlive the studio, or until
- * studio_script gives the new one. */
-void studio_change(struct studio *studio, const struct script *script);
+/* A fresh sheet, after all that was posted before, with another seed and the script from its first tick; nothing of the
+ * old one can be undone. False when the inbox is full. */
+bool studio_fresh(struct studio *studio);
+/* Another script, after all that was posted before: its inks, seed, coefficients, and actions that are still to come.
+ * The painting stays, brought to the new canvas where that is another (checkpoint_resample); nothing done before can be
+ * undone. The new script must outlive the studio, or until studio_script gives a later one, and so must the old. False
+ * when the inbox is full. */
+bool studio_change(struct studio *studio, const struct script *script);
 /* The script that the thread works with now. */
 const struct script *studio_script(struct studio *studio);
 /* The newest fields that are ready, for the display's thread: publisher_newest. */
@@ -85,10 +90,12 @@ struct studio_report {
     double ticks_per_second; /* reached in the last second */
     int64_t checkpoint_tick; /* of the newest checkpoint; -1: none */
     int sessions;            /* begun */
-    bool idle;               /* no tick is wanted: the session is over, or nobody looks */
-    bool ended;              /* `once`, and the last tick is done */
-    float scale;             /* of the grid now */
-    char trouble[200];       /* "" or what has gone wrong in the thread */
+    uint64_t can_undo;       /* bit v: visitor v has something to undo; bit 0: anybody but the script */
+    uint64_t can_redo;
+    bool idle;         /* no tick is wanted: the session is over, or nobody looks */
+    bool ended;        /* `once`, and the last tick is done */
+    float scale;       /* of the grid now */
+    char trouble[200]; /* "" or what has gone wrong in the thread */
 };
 struct studio_report studio_report(struct studio *studio);
 

@@ -7,64 +7,43 @@
 
 #include "bench.h"
 #include "painting_gpu.h"
-#include "script_sheet.h"
+#include "studio_sheet.h"
 
 static const int64_t REST_TICKS = 20 * STUDIO_TICKS_PER_SECOND; /* a finished painting is looked at for so long */
 
-static int scaled(int cells, float scale, int least)
+/* What goes back in time is not in a checkpoint that began before: a newer one is due. */
+static bool goes_back(enum action_verb verb)
 {
-    int count = (int)lroundf((float)cells * scale);
-    return count > least ? count : least;
+    return verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
 }
 
-struct painting_def studio_painting(const struct studio *studio, float scale)
+/* The action, with the path that was copied. */
+static struct action action_of(const struct studio_action *posted)
 {
-    struct painting_def def = script_painting(studio->def.script);
-    def.width = scaled(def.width, scale, PAINTING_SIZE_MIN);
-    def.height = scaled(def.height, scale, PAINTING_SIZE_MIN);
-    def.margin = scaled(def.margin, scale, 0);
-    def.seed += (uint32_t)(studio->report.sessions > 0 ? studio->report.sessions - 1 : 0);
-    def.threads = studio->def.threads;
-    return def;
-}
-
-static struct engine *make_engine(struct studio *studio, const struct painting_def *def)
-{
-    struct shader_error error;
-    struct engine *engine;
-    if (studio->def.engine == ENGINE_CPU) {
-        engine = engine_cpu_create(def);
-        snprintf(error.text, sizeof error.text, "memory is short for a sheet of %dx%d cells", def->width, def->height);
-    } else {
-        engine = engine_gpu_create(def, studio->def.folder, &error);
+    struct action action = posted->action;
+    if (posted->copied) {
+        action.path.points = posted->points;
     }
-    if (!engine) {
-        snprintf(studio->error.text, sizeof studio->error.text, "engine %s: %s", engine_kind_name(studio->def.engine),
-                 error.text);
-    }
-    return engine;
-}
-
-static void set_trouble(struct studio *studio, const char *text)
-{
-    pthread_mutex_lock(&studio->lock);
-    snprintf(studio->report.trouble, sizeof studio->report.trouble, "%.190s", text);
-    pthread_mutex_unlock(&studio->lock);
+    return action;
 }
 
 static void act(struct studio *studio, const struct studio_action *posted)
 {
-    struct action action = posted->action;
+    struct action action = action_of(posted);
     studio->changed_since = true;
-    if (posted->copied) {
-        action.path.points = posted->points;
+    if (studio->history) {
+        history_act(studio->history, studio->engine, &action);
+    } else {
+        studio->engine->ops->act(studio->engine, &action);
     }
-    studio->engine->ops->act(studio->engine, &action);
+    studio->checkpoint_s = goes_back(action.verb) ? 0 : studio->checkpoint_s;
 }
 
 /* Does an action, and keeps it until a checkpoint holds it. */
 static void act_and_keep(struct studio *studio, const struct studio_action *posted)
 {
+    struct action action = action_of(posted);
+    studio_tell_action(studio, &action);
     act(studio, posted);
     if (studio->def.engine == ENGINE_GPU && studio->journal_count < STUDIO_JOURNAL) {
         studio->journal[studio->journal_count++] = *posted;
@@ -83,14 +62,41 @@ static void note_consumed(struct studio *studio, uint64_t event_us)
         (struct studio_consumed){event_us, (uint64_t)(1e6 * bench_wall_s()), studio->published + 1};
 }
 
-/* After a pause something new begins: the painting is kept as it is before. */
-static void keep_before(struct studio *studio)
+static int64_t session_tick(const struct studio *studio)
 {
-    double now = bench_wall_s();
-    if (now - studio->posted_s > 1e-3 * STUDIO_PAUSE_MS) {
-        studio->has_before = studio->engine->ops->save(studio->engine, &studio->before);
+    return studio->engine->ops->ticks(studio->engine) - studio->session_start;
+}
+
+static void act_script(struct studio *studio)
+{
+    const struct script *script = studio->script;
+    int64_t tick = session_tick(studio);
+    while (studio->next_action < script->action_count && script->actions[studio->next_action].tick <= tick &&
+           tick <= script->ticks) {
+        struct studio_action entry = {.action = script->actions[studio->next_action++]};
+        entry.action.visitor = entry.action.visitor > 0 ? entry.action.visitor : HISTORY_SCRIPT;
+        act_and_keep(studio, &entry);
     }
-    studio->posted_s = now;
+}
+
+static void take_posted(struct studio *studio, const struct studio_action *posted)
+{
+    switch (posted->what) {
+    case POSTED_FRESH:
+        if (studio_begin_session(studio)) {
+            act_script(studio);
+        } else {
+            studio_set_trouble(studio, studio->error.text);
+        }
+        break;
+    case POSTED_SCRIPT:
+        studio_take_script(studio, posted->script);
+        act_script(studio);
+        break;
+    default:
+        act_and_keep(studio, posted);
+        break;
+    }
 }
 
 /* Takes what was posted; the lock is not held while the engine works. */
@@ -112,24 +118,7 @@ static void empty_inbox(struct studio *studio)
         if (!any) {
             return;
         }
-        keep_before(studio);
-        act_and_keep(studio, &posted);
-    }
-}
-
-static int64_t session_tick(const struct studio *studio)
-{
-    return studio->engine->ops->ticks(studio->engine) - studio->session_start;
-}
-
-static void act_script(struct studio *studio)
-{
-    const struct script *script = studio->def.script;
-    int64_t tick = session_tick(studio);
-    while (studio->next_action < script->action_count && script->actions[studio->next_action].tick <= tick &&
-           tick <= script->ticks) {
-        struct studio_action entry = {.action = script->actions[studio->next_action++]};
-        act_and_keep(studio, &entry);
+        take_posted(studio, &posted);
     }
 }
 
@@ -147,6 +136,7 @@ static void end_checkpoint(struct studio *studio)
     pthread_mutex_lock(&studio->lock);
     studio->report.checkpoint_tick = studio->whole.tick;
     pthread_mutex_unlock(&studio->lock);
+    studio_tell(studio, STUDIO_WHOLE);
 }
 
 static void roll_checkpoint(struct studio *studio)
@@ -161,97 +151,11 @@ static void roll_checkpoint(struct studio *studio)
         studio->taking = true;
         studio->checkpoint_s = now;
         studio->journal_kept = studio->journal_count;
+        studio_tell(studio, STUDIO_TAKING);
     }
     if (studio->taking && engine_gpu_checkpoint_step(studio->engine, &studio->partial)) {
         end_checkpoint(studio);
     }
-}
-
-/* Room for checkpoints of the engine's sheet; forgets the old. */
-static bool fit_checkpoints(struct studio *studio, const struct painting_def *def)
-{
-    checkpoint_finish(&studio->whole);
-    checkpoint_finish(&studio->partial);
-    checkpoint_finish(&studio->before);
-    studio->has_whole = studio->taking = studio->has_before = false;
-    studio->journal_count = studio->journal_kept = 0;
-    return checkpoint_init(&studio->before, def) &&
-           (studio->def.engine != ENGINE_GPU ||
-            (checkpoint_init(&studio->whole, def) && checkpoint_init(&studio->partial, def)));
-}
-
-/* The painting as it was before what was posted last. What the script does from then on, it does again. */
-static void take_back(struct studio *studio)
-{
-    const struct script *script = studio->def.script;
-    pthread_mutex_lock(&studio->lock);
-    bool wanted = studio->undo && studio->has_before;
-    studio->undo = false;
-    pthread_mutex_unlock(&studio->lock);
-    if (!wanted || !studio->engine->ops->load(studio->engine, &studio->before)) {
-        return;
-    }
-    studio->has_before = studio->has_whole = studio->taking = false; /* rolling checkpoints hold what is gone */
-    studio->journal_count = studio->journal_kept = 0;
-    studio->posted_s = 0;
-    studio->changed_since = true;
-    for (studio->next_action = 0; studio->next_action < script->action_count; studio->next_action++) {
-        if (script->actions[studio->next_action].tick > session_tick(studio)) {
-            break;
-        }
-    }
-}
-
-/* The painting on another grid. When that fails the old one stays. */
-static void change_scale(struct studio *studio, float scale)
-{
-    struct painting_def def = studio_painting(studio, scale), now = studio->engine->ops->get_def(studio->engine);
-    struct checkpoint from = {0}, to = {0};
-    struct engine *next = NULL;
-    def.seed = now.seed;
-    def.coefficients = now.coefficients;
-    bool good =
-        checkpoint_init(&from, &now) && checkpoint_init(&to, &def) && studio->engine->ops->save(studio->engine, &from);
-    if (good) {
-        checkpoint_resample(&from, &to);
-        next = make_engine(studio, &def);
-        good = next && next->ops->load(next, &to) && fit_checkpoints(studio, &def);
-    }
-    if (good) {
-        engine_destroy(studio->engine);
-        studio->engine = next;
-        studio->changed_since = true;
-    } else {
-        engine_destroy(next);
-        set_trouble(studio, "the grid cannot be changed: memory is short");
-    }
-    checkpoint_finish(&from);
-    checkpoint_finish(&to);
-    pthread_mutex_lock(&studio->lock);
-    studio->report.scale = good ? scale : studio->report.scale;
-    studio->scale = studio->report.scale;
-    pthread_mutex_unlock(&studio->lock);
-}
-
-/* A fresh sheet with a seed of its own. */
-static bool begin_session(struct studio *studio)
-{
-    pthread_mutex_lock(&studio->lock);
-    studio->report.sessions++;
-    pthread_mutex_unlock(&studio->lock);
-    struct painting_def def = studio_painting(studio, studio->report.scale);
-    struct engine *next = make_engine(studio, &def);
-    if (!next || !fit_checkpoints(studio, &def)) {
-        engine_destroy(next);
-        return false;
-    }
-    engine_destroy(studio->engine);
-    studio->engine = next;
-    studio->next_action = 0;
-    studio->rest_ticks = 0;
-    studio->session_start = 0;
-    studio->changed_since = true;
-    return true;
 }
 
 /* Counts what ticks cost, and says so once a second; `ticked`: there was one. */
@@ -264,8 +168,10 @@ static void measure(struct studio *studio, double began, bool ticked)
     }
     pthread_mutex_lock(&studio->lock);
     studio->report.ticks = session_tick(studio);
-    studio->report.idle = studio->rest || studio->report.ticks >= studio->def.script->ticks;
-    studio->report.ended = studio->def.once && studio->report.ticks >= studio->def.script->ticks;
+    studio->report.idle = studio->rest || studio->report.ticks >= studio->script->ticks;
+    studio->report.ended = studio->def.once && studio->report.ticks >= studio->script->ticks;
+    studio->report.can_undo = studio->history ? history_can_undo(studio->history) : 0;
+    studio->report.can_redo = studio->history ? history_can_redo(studio->history) : 0;
     if (studio->second_ticks > 0) { /* after a session it is known what its last ticks took */
         studio->report.tick_ms = 1000 * studio->busy_s / studio->second_ticks;
     }
@@ -281,15 +187,18 @@ static void measure(struct studio *studio, double began, bool ticked)
 static bool tick(struct studio *studio)
 {
     double began = bench_wall_s();
-    take_back(studio);
     act_script(studio);
     empty_inbox(studio);
-    bool ticks = session_tick(studio) < studio->def.script->ticks;
+    bool ticks = session_tick(studio) < studio->script->ticks;
+    if (studio->history && ticks) {
+        history_tick(studio->history, studio->engine);
+    }
     if (ticks) {
         studio->engine->ops->tick(studio->engine);
         studio->engine->ops->finish(studio->engine);
         studio->changed_since = true;
-    } else if (!studio->def.once && ++studio->rest_ticks > REST_TICKS && !begin_session(studio)) {
+        studio_tell_ticked(studio, bench_wall_s() - began);
+    } else if (!studio->def.once && ++studio->rest_ticks > REST_TICKS && !studio_begin_session(studio)) {
         return false;
     }
     if (studio->changed_since && publisher_publish(studio->publisher, studio->engine, studio->published + 1)) {
@@ -330,18 +239,25 @@ static bool open_engine(struct studio *studio)
         studio->kept = NULL;
         return true;
     }
-    if (!studio->has_whole) { /* nothing was painted yet, or not for long */
-        return begin_session(studio);
+    if (!studio->has_whole && studio->def.from && studio->report.sessions == 0) {
+        return studio_take_up(studio);
     }
-    studio->engine = make_engine(studio, &studio->whole.def);
+    if (!studio->has_whole) { /* nothing was painted yet, or not for long */
+        return studio_begin_session(studio);
+    }
+    studio->engine = studio_make_engine(studio, &studio->whole.def);
     if (!studio->engine || !studio->engine->ops->load(studio->engine, &studio->whole)) {
         return false;
+    }
+    if (studio->history) {
+        history_forget(studio->history);
     }
     for (int i = 0; i < studio->journal_count; i++) {
         act(studio, &studio->journal[i]);
     }
     studio->taking = false;
     studio->journal_kept = 0;
+    studio_tell_restored(studio, 0);
     return true;
 }
 
@@ -379,12 +295,12 @@ void *studio_work(void *context)
     studio->second_s = next_s;
     while (good && wait_turn(studio, &next_s, &scale)) {
         if (scale < studio->report.scale || scale > studio->report.scale) {
-            change_scale(studio, scale);
+            studio_change_scale(studio, scale);
         }
         good = tick(studio);
     }
     if (!good) {
-        set_trouble(studio, studio->error.text);
+        studio_set_trouble(studio, studio->error.text);
     }
     close_engine(studio);
     return NULL;

@@ -10,12 +10,17 @@
 
 enum {
     STUDIO_INBOX = 512,
+    STUDIO_ORDERS = 16,    /* of studio_fresh and studio_change beside them */
     STUDIO_JOURNAL = 4096, /* actions since the newest whole checkpoint; with more, a checkpoint is due at once */
 };
 
-/* An action; one that somebody posted has its path, which was theirs, copied. */
+enum studio_posted { POSTED_ACTION, POSTED_FRESH, POSTED_SCRIPT };
+
+/* An action, or an order; an action that somebody posted has its path, which was theirs, copied. */
 struct studio_action {
+    enum studio_posted what;
     struct action action;
+    const struct script *script;
     bool copied;
     struct point points[STUDIO_PATH];
     uint64_t event_us;
@@ -32,28 +37,28 @@ struct studio {
     pthread_mutex_t lock; /* of what follows, to the empty line */
     pthread_cond_t changed;
     enum studio_started started;
-    bool stop, rest, undo;
+    bool stop, rest;
     float scale; /* wanted */
-    struct studio_action inbox[STUDIO_INBOX];
+    struct studio_action inbox[STUDIO_INBOX + STUDIO_ORDERS];
     int inbox_count;
     struct studio_consumed consumed[STUDIO_CONSUMED]; /* a ring */
     int consumed_first, consumed_count;
     struct studio_report report;
     struct studio_error error;
+    const struct script *script; /* written by the thread alone, which reads it without the lock */
 
     /* The thread's alone while it runs. */
     struct engine *engine;
-    struct engine *kept;   /* an engine of the CPU outlives the loss of a GPU */
-    bool lost;             /* GL is gone: nothing of it is to be touched */
-    uint64_t published;    /* number of the newest fields */
-    bool changed_since;    /* the painting is not what was published last */
-    int next_action;       /* of the script */
-    int64_t session_start; /* tick of the engine at which the session began */
-    int64_t rest_ticks;    /* since the session ended */
+    struct history *history; /* NULL: memory is short, nothing is undone */
+    struct engine *kept;     /* an engine of the CPU outlives the loss of a GPU */
+    bool lost;               /* GL is gone: nothing of it is to be touched */
+    uint64_t published;      /* number of the newest fields */
+    bool changed_since;      /* the painting is not what was published last */
+    int next_action;         /* of the script */
+    int64_t session_start;   /* tick of the engine at which the session began */
+    int64_t ticked;          /* over all sheets: studio_tell.h */
+    int64_t rest_ticks;      /* since the session ended */
     struct checkpoint whole, partial;
-    struct checkpoint before; /* what was posted last began */
-    bool has_before;
-    double posted_s;                              /* when something was posted last */
     bool has_whole, taking;                       /* `partial` is being taken */
     struct studio_action journal[STUDIO_JOURNAL]; /* done since `partial`, or if none is being taken `whole`, began */
     int journal_count, journal_kept;              /* `kept`: how many of them `partial` holds already */
@@ -66,7 +71,5 @@ struct studio {
 void *studio_work(void *context);
 /* Ends the thread, if there is one. */
 void studio_stop(struct studio *studio);
-/* The painting of the script on a grid of this share of its cells. */
-struct painting_def studio_painting(const struct studio *studio, float scale);
 
 #endif

@@ -42,6 +42,11 @@ bool hud_draw_sentence(const struct hud *hud, enum exhibit_text text, struct hud
 bool hud_draw_cursor(const struct hud *hud, int ink, float share, struct hud_image *image);
 /* The staff's view: lines of "name<TAB>value", and its two buttons (hud->staff). As large as the sheet. */
 bool hud_draw_status(const struct hud *hud, const char *lines, struct hud_image *image);
+/* The hand that paints in attract: a fingertip, the lower (`pressed` 0..1) the nearer to the paper. Its middle belongs
+ * at its point. */
+bool hud_draw_hand(const struct hud *hud, float pressed, struct hud_image *image);
+/* A dot of the colour of one-switch play's lines, to be drawn out to a line. */
+bool hud_draw_line(const struct hud *hud, struct hud_image *image);
 /* A mark that only the staff would notice: the exhibit's file has an error. */
 bool hud_draw_mark(const struct hud *hud, struct hud_image *image);
 

@@ -41,6 +41,9 @@ void figure_random(struct figure *figure);  /* figure_random.c */
 void figure_brushes(struct figure *figure); /* figure_brushes.c */
 void figure_margin(struct figure *figure);  /* figure_margin.c */
 void figure_rest(struct figure *figure);    /* figure_rest.c */
+void figure_wash(struct figure *figure);    /* figure_wash.c */
+void figure_vision(struct figure *figure);  /* figure_vision.c */
+void figure_attract(struct figure *figure); /* figure_attract.c */
 void figure_gpu(struct figure *figure);     /* figure_gpu.c */
 void figure_visit(struct figure *figure);   /* figure_visit.c */
 

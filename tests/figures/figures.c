@@ -33,7 +33,10 @@ static const struct figure_group GROUPS[] = {
     {"brushes", "the six brushes", figure_brushes},
     {"margin", "growth over the edge of the sheet", figure_margin},
     {"rest", "a finished painting comes to rest", figure_rest},
+    {"wash", "water washes a sheet", figure_wash},
     {"visit", "what a visitor sees, in every state, language, hand", figure_visit},
+    {"vision", "palettes for colour-blind eyes", figure_vision},
+    {"attract", "what the sheet paints by itself", figure_attract},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };

@@ -160,6 +160,24 @@ static void test_guided(void **state)
     script_destroy(script);
 }
 
+static void a_visitor_stands_beside_the_verb(void **state)
+{
+    (void)state;
+    struct script *script = parse_plain("frond: 1\n"
+                                        "actions:\n"
+                                        "  - {tick: 1, visitor: 3, drop: {at: [0.5, 0.5]}}\n"
+                                        "  - {tick: 2, undo: , visitor: 4}\n"
+                                        "  - {tick: 3, rewind: {path: [[0.5, 0.5]], ticks: 90}}\n");
+    assert_int_equal(script->actions[0].visitor, 3);
+    assert_int_equal(script->actions[1].verb, ACTION_UNDO);
+    assert_int_equal(script->actions[1].visitor, 4);
+    assert_int_equal(script->actions[2].verb, ACTION_REWIND);
+    assert_int_equal(script->actions[2].visitor, 0);
+    assert_number(script->actions[2].ticks, 90);
+    assert_number(script->actions[2].radius, 24);
+    script_destroy(script);
+}
+
 static void test_defaults(void **state)
 {
     (void)state;
@@ -285,7 +303,7 @@ static void test_limits(void **state)
     static const char MANY[] = "frond: 1\ncanvas: {width: 16, height: 16}\nactions:\n"
                                "  - {tick: 0, mask: {formula: x}}\n  - {tick: 0, guide: {formula: [x, y]}}\n";
     refuse(MANY, sizeof MANY - 1, &def,
-           "s.yaml:5:32: actions[1].guide.formula: too much for one script; 512 values in all formulas and pictures "
+           "s.yaml:5:32: actions[1].guide.formula: too much for one file; 512 values in all formulas and pictures "
            "together\n");
 
     enum { SIZE = (1 << 20) + 1 };
@@ -354,6 +372,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_one_drop),      cmocka_unit_test(test_two_drops),    cmocka_unit_test(test_guided),
+        cmocka_unit_test(a_visitor_stands_beside_the_verb),
         cmocka_unit_test(test_defaults),      cmocka_unit_test(test_order),        cmocka_unit_test(test_set),
         cmocka_unit_test(test_guide_formula), cmocka_unit_test(test_pictures),     cmocka_unit_test(test_limits),
         cmocka_unit_test(test_hostile),       cmocka_unit_test(test_missing_file),

@@ -214,6 +214,13 @@ static void a_painting_of_the_gpu_goes_to_another_grid(void **state)
     changes_grid(*state, ENGINE_GPU);
 }
 
+static void undo(struct place *place, enum action_verb verb, int visitor)
+{
+    struct action action = action_default(verb);
+    action.visitor = visitor;
+    assert_true(studio_post(place->studio, &action));
+}
+
 /* What was posted last goes, what was there before stays, and the session goes on. */
 static void takes_back(struct place *place, enum engine_kind engine)
 {
@@ -224,10 +231,10 @@ static void takes_back(struct place *place, enum engine_kind engine)
     drop.has_at = true;
     assert_true(studio_post(place->studio, &drop));
     becomes(place, 0.8f, 0.8f, 0.5f, 3);
-    studio_undo(place->studio);
+    undo(place, ACTION_UNDO, 0);
     becomes(place, 0.8f, 0.8f, 0, 0.01f);
     becomes(place, 0.5f, 0.5f, 0.5f, 3);
-    studio_undo(place->studio); /* once: there is nothing more to take back */
+    undo(place, ACTION_UNDO, 0); /* once: there is nothing more to take back */
     assert_true(studio_post(place->studio, &drop));
     becomes(place, 0.8f, 0.8f, 0.5f, 3);
     becomes(place, 0.2f, 0.2f, 0.5f, 3);
