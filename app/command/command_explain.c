@@ -4,6 +4,7 @@
 #include "command.h"
 #include "exhibit.h"
 #include "explain.h"
+#include "growth.h"
 #include "inputs.h"
 #include "option.h"
 #include "script_value.h"
@@ -26,8 +27,12 @@ static struct names names_of_tables(const struct inputs_table *tables)
 static void suggest(const char *asked)
 {
     struct names names = names_of_keys(script_keys);
-    struct names more[] = {names_of_verbs(), names_of_keys(coefficient_keys), names_of_keys(canvas_keys),
-                           names_of_tables(exhibit_tables), names_of_tables(inputs_tables)};
+    struct names more[] = {names_of_verbs(),
+                           names_of_keys(coefficient_keys),
+                           names_of_keys(canvas_keys),
+                           names_of_tables(exhibit_tables),
+                           names_of_tables(inputs_tables),
+                           names_of_keys(growth_keys)};
     for (size_t i = 0; i < sizeof more / sizeof *more; i++) {
         for (int k = 0; k < more[i].count && names.count < NAMES_MAX; k++) {
             names.names[names.count++] = more[i].names[k];

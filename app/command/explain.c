@@ -5,6 +5,7 @@
 #include "action.h"
 #include "brush.h"
 #include "exhibit.h"
+#include "grow.h"
 #include "ink.h"
 #include "inputs.h"
 #include "script.h"
@@ -191,6 +192,8 @@ bool explain(const char *asked, FILE *out)
     }
     explain_tables(&explaining, exhibit_tables);
     explain_tables(&explaining, inputs_tables);
+    explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
+    explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
     explain_names(&explaining);
     return explaining.found;
 }

@@ -1,0 +1,136 @@
+#include "route_queue.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool route_queue_init(struct route_queue *queue)
+{
+    memset(queue, 0, sizeof *queue);
+    queue->pool_room = queue->heap_room = 4096;
+    queue->pool = malloc(queue->pool_room * sizeof *queue->pool);
+    queue->heap = malloc(queue->heap_room * sizeof *queue->heap);
+    queue->heads = malloc((ROUTE_BUCKETS + 1) * sizeof *queue->heads);
+    return queue->pool && queue->heap && queue->heads;
+}
+
+void route_queue_finish(struct route_queue *queue)
+{
+    free(queue->pool);
+    free(queue->heap);
+    free(queue->heads);
+}
+
+void route_queue_start(struct route_queue *queue, int shift)
+{
+    memset(queue->heads, 0xff, (ROUTE_BUCKETS + 1) * sizeof *queue->heads);
+    queue->heap_count = 0;
+    queue->pool_count = 0;
+    queue->unused = -1;
+    queue->cursor = -1;
+    queue->shift = shift;
+    queue->failed = false;
+}
+
+static bool grow(struct route_entry **entries, size_t *room)
+{
+    struct route_entry *more = realloc(*entries, 2 * *room * sizeof **entries);
+    if (!more) {
+        return false;
+    }
+    *entries = more;
+    *room *= 2;
+    return true;
+}
+
+static void heap_up(struct route_queue *queue, uint64_t key, int32_t node)
+{
+    if (queue->heap_count == queue->heap_room && !grow(&queue->heap, &queue->heap_room)) {
+        queue->failed = true;
+        return;
+    }
+    struct route_entry *heap = queue->heap;
+    size_t at = queue->heap_count++;
+    while (at > 0 && heap[(at - 1) / 2].key > key) {
+        heap[at] = heap[(at - 1) / 2];
+        at = (at - 1) / 2;
+    }
+    heap[at].key = key;
+    heap[at].node = node;
+}
+
+static void heap_down(struct route_entry *heap, size_t count, size_t at, struct route_entry entry)
+{
+    for (size_t child; (child = 2 * at + 1) < count; at = child) {
+        child += child + 1 < count && heap[child + 1].key < heap[child].key;
+        if (heap[child].key >= entry.key) {
+            break;
+        }
+        heap[at] = heap[child];
+    }
+    heap[at] = entry;
+}
+
+void route_queue_push(struct route_queue *queue, uint64_t key, int32_t node)
+{
+    uint64_t bucket = key >> queue->shift;
+    bucket = bucket < ROUTE_BUCKETS ? bucket : ROUTE_BUCKETS;
+    if ((int)bucket <= queue->cursor) {
+        heap_up(queue, key, node);
+        return;
+    }
+    int32_t at = queue->unused;
+    if (at >= 0) {
+        queue->unused = queue->pool[at].next;
+    } else if ((size_t)queue->pool_count == queue->pool_room && !grow(&queue->pool, &queue->pool_room)) {
+        queue->failed = true;
+        return;
+    } else {
+        at = queue->pool_count++;
+    }
+    queue->pool[at] = (struct route_entry){key, node, queue->heads[bucket]};
+    queue->heads[bucket] = at;
+}
+
+/* Makes the next bucket that holds anything the heap. */
+static void open_bucket(struct route_queue *queue, const uint64_t *labels)
+{
+    int32_t at = queue->heads[queue->cursor];
+    queue->heads[queue->cursor] = -1;
+    while (at >= 0) {
+        struct route_entry *entry = &queue->pool[at];
+        int32_t next = entry->next;
+        if (!labels || labels[entry->node] == entry->key) {
+            if (queue->heap_count == queue->heap_room && !grow(&queue->heap, &queue->heap_room)) {
+                queue->failed = true;
+                return;
+            }
+            queue->heap[queue->heap_count++] = *entry;
+        }
+        entry->next = queue->unused;
+        queue->unused = at;
+        at = next;
+    }
+    for (size_t i = queue->heap_count / 2; i-- > 0;) {
+        heap_down(queue->heap, queue->heap_count, i, queue->heap[i]);
+    }
+}
+
+bool route_queue_pop(struct route_queue *queue, const uint64_t *labels, uint64_t *key, int32_t *node)
+{
+    while (queue->heap_count == 0) {
+        do {
+            if (++queue->cursor > ROUTE_BUCKETS) {
+                queue->cursor = ROUTE_BUCKETS;
+                return false;
+            }
+        } while (queue->heads[queue->cursor] < 0);
+        open_bucket(queue, labels);
+    }
+    *key = queue->heap[0].key;
+    *node = queue->heap[0].node;
+    queue->heap_count--;
+    if (queue->heap_count > 0) {
+        heap_down(queue->heap, queue->heap_count, 0, queue->heap[queue->heap_count]);
+    }
+    return true;
+}

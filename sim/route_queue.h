@@ -1,0 +1,35 @@
+/* The frontier of path planning: a priority queue for keys that hardly ever go down. Keys are sorted into buckets; only
+ * the bucket in work is a heap. */
+#ifndef FROND_ROUTE_QUEUE_H
+#define FROND_ROUTE_QUEUE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { ROUTE_BUCKETS = 16384 };
+
+struct route_entry {
+    uint64_t key;
+    int32_t node, next;
+};
+
+struct route_queue {
+    struct route_entry *pool, *heap;
+    size_t pool_room, heap_room, heap_count;
+    int32_t pool_count, unused; /* of the pool; the first of the free ones, -1 */
+    int32_t *heads;             /* of the buckets; -1: empty */
+    int cursor, shift;
+    bool failed; /* memory was short: what was pushed since is lost */
+};
+
+bool route_queue_init(struct route_queue *queue);
+void route_queue_finish(struct route_queue *queue); /* takes zeroed */
+/* Empties it; from now on, keys that agree but for the last `shift` bits share a bucket, and all beyond the last. */
+void route_queue_start(struct route_queue *queue, int shift);
+void route_queue_push(struct route_queue *queue, uint64_t key, int32_t node);
+/* The least key and its node; false when it is empty. `labels` not NULL: entries whose key is not that of their node
+ * are dropped without order. */
+bool route_queue_pop(struct route_queue *queue, const uint64_t *labels, uint64_t *key, int32_t *node);
+
+#endif
