@@ -184,35 +184,48 @@ bool dendrite_arrange(struct dendrite *dendrite)
     return good;
 }
 
-void dendrite_smooth(struct dendrite *dendrite, int passes, float jitter, uint32_t seed)
+/* One pass over the branches of levels up to `last`. */
+static void smooth_once(struct dendrite *dendrite, int last)
+{
+    struct dendrite_node *nodes = dendrite->nodes;
+    for (int32_t b = 0; b < dendrite->branch_count; b++) {
+        const struct dendrite_branch *branch = &dendrite->branches[b];
+        const int32_t *order = dendrite->order + branch->first;
+        float x = 0, y = 0; /* of the node before, unmoved */
+        bool moving = branch->junction >= 0;
+        if (branch->level > last) {
+            continue;
+        }
+        if (moving) {
+            x = nodes[branch->junction].x;
+            y = nodes[branch->junction].y;
+        }
+        for (int32_t i = 0; i + 1 < branch->count; i++) {
+            struct dendrite_node *node = &nodes[order[i]];
+            const struct dendrite_node *next = &nodes[order[i + 1]];
+            float here_x = node->x, here_y = node->y;
+            if (moving) {
+                node->x = 0.25f * (x + next->x) + 0.5f * here_x;
+                node->y = 0.25f * (y + next->y) + 0.5f * here_y;
+            }
+            x = here_x;
+            y = here_y;
+            moving = true;
+        }
+    }
+}
+
+void dendrite_smooth(struct dendrite *dendrite, int passes, float jitter, uint32_t seed, int trunk)
 {
     struct dendrite_node *nodes = dendrite->nodes;
     for (int32_t i = 0; i < dendrite->node_count && jitter > 0; i++) {
         nodes[i].x += jitter * random_signed(nodes[i].vertex, 0, seed, RANDOM_PLACE);
         nodes[i].y += jitter * random_signed(nodes[i].vertex, 1, seed, RANDOM_PLACE);
     }
+    for (int pass = 0; pass < trunk; pass++) {
+        smooth_once(dendrite, 0);
+    }
     for (int pass = 0; pass < passes; pass++) {
-        for (int32_t b = 0; b < dendrite->branch_count; b++) {
-            const struct dendrite_branch *branch = &dendrite->branches[b];
-            const int32_t *order = dendrite->order + branch->first;
-            float x = 0, y = 0; /* of the node before, unmoved */
-            bool moving = branch->junction >= 0;
-            if (moving) {
-                x = nodes[branch->junction].x;
-                y = nodes[branch->junction].y;
-            }
-            for (int32_t i = 0; i + 1 < branch->count; i++) {
-                struct dendrite_node *node = &nodes[order[i]];
-                const struct dendrite_node *next = &nodes[order[i + 1]];
-                float here_x = node->x, here_y = node->y;
-                if (moving) {
-                    node->x = 0.25f * (x + next->x) + 0.5f * here_x;
-                    node->y = 0.25f * (y + next->y) + 0.5f * here_y;
-                }
-                x = here_x;
-                y = here_y;
-                moving = true;
-            }
-        }
+        smooth_once(dendrite, UINT8_MAX);
     }
 }

@@ -55,8 +55,8 @@ bool dendrite_extend(struct dendrite *dendrite, const struct routes *routes, con
 bool dendrite_arrange(struct dendrite *dendrite);
 
 /* Moves every node towards the middle of its neighbours, `passes` times; seeds and tips stay. `jitter`: moves nodes by
- * up to so many pixels beforehand. */
-void dendrite_smooth(struct dendrite *dendrite, int passes, float jitter, uint32_t seed);
+ * up to so many pixels beforehand. The first level gets `trunk` more passes before. */
+void dendrite_smooth(struct dendrite *dendrite, int passes, float jitter, uint32_t seed, int trunk);
 
 struct thickness {
     float tip, gain; /* radius = tip + gain * a^power, pixels, a the importance along the branch 0..1 */
@@ -66,10 +66,11 @@ struct thickness {
     float branch;    /* gain of a branch, pixels: times the share of all leaves beyond it, to the power 0.42 */
     float step;      /* more for every iteration after the one that made it, pixels */
     float trunk;     /* more at the foot of level 0, tapering to nothing at its tips, pixels */
-    float mix;       /* 1: by importance alone, 0: as a branch alone */
+    float taper; /* at most so much more radius than a tip's for each pixel that the structure goes on; 0: no limit */
+    float mix;   /* 1: by importance alone, 0: as a branch alone */
 };
 
-struct thickness thickness_default(void); /* 0.25, 1.45, 1.5, 8, 3, 0.5, 0, 1 */
+struct thickness thickness_default(void); /* 0.25, 1.45, 1.5, 8, 3, 0.5, 0, 0, 1 */
 
 /* Fills the radii. `importance` is taken at the nodes' vertices; NULL (of graphs): 1 everywhere. */
 void dendrite_thicken(struct dendrite *dendrite, const struct importance *importance,

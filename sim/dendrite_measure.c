@@ -46,52 +46,61 @@ static void average(struct dendrite *dendrite, const struct importance *importan
     }
     for (int32_t i = 0; i < branch->count; i++) {
         sum += (double)values[i + 2 * window];
-        dendrite->nodes[order[i]].radius = (float)(sum / (2 * window + 1));
+        float mean = (float)(sum / (2 * window + 1));
+        dendrite->nodes[order[i]].radius = mean > 0 ? mean : 0;
         sum -= (double)values[i];
     }
 }
 
-static float radius_of(const struct dendrite *dendrite, int32_t at, const struct thickness *thickness, int last,
-                       float trunk_end, int32_t leaves)
+struct whole {
+    float *beyond; /* of each node: how far the structure goes on, pixels */
+    float trunk_end;
+    int last; /* level */
+    int32_t leaves;
+};
+
+static float radius_of(const struct dendrite *dendrite, int32_t at, const struct thickness *thickness,
+                       const struct whole *whole)
 {
     const struct dendrite_node *node = &dendrite->nodes[at];
-    const struct dendrite_branch *branch = &dendrite->branches[node->branch];
-    const struct dendrite_node *tip = &dendrite->nodes[dendrite->order[branch->first + branch->count - 1]];
-    float mean = node->radius < 0 ? 0 : node->radius;
-    float by_importance = thickness->tip + thickness->gain * powf(mean, thickness->power);
-    float share = (float)node->leaves / (float)(leaves > 0 ? leaves : 1);
+    float by_importance = thickness->tip + thickness->gain * powf(node->radius, thickness->power);
+    float share = (float)node->leaves / (float)(whole->leaves > 0 ? whole->leaves : 1);
     float by_branch = thickness->tip + thickness->branch * powf(share, 0.42f);
-    float base = thickness->mix * by_importance + (1 - thickness->mix) * by_branch;
-    float left = (tip->reach - node->reach) / 12; /* thins towards the end of what an iteration grew, too */
-    float steps = thickness->step * (float)(last - node->level);
-    base += steps * (left < 1 ? left : 1);
-    if (node->level == 0 && trunk_end > 0) {
-        float rest = 1 - node->reach / trunk_end;
-        base += thickness->trunk * (rest > 0 ? rest : 0);
+    float radius = thickness->mix * by_importance + (1 - thickness->mix) * by_branch;
+    radius += thickness->step * (float)(whole->last - node->level);
+    if (node->level == 0 && whole->trunk_end > 0) {
+        float rest = 1 - node->reach / whole->trunk_end, foot = 1 - node->reach / (0.16f * whole->trunk_end);
+        radius += thickness->trunk * ((rest > 0 ? rest : 0) + (foot > 0 ? 0.9f * foot * foot : 0));
     }
-    return base;
+    float most = thickness->tip + thickness->taper * whole->beyond[at];
+    return thickness->taper > 0 && radius > most ? most : radius;
 }
 
 void dendrite_thicken(struct dendrite *dendrite, const struct importance *importance, const struct thickness *thickness)
 {
     int window = thickness->window < 0 ? 0 : thickness->window > WINDOW_MAX ? WINDOW_MAX : thickness->window;
-    float *values = malloc(((size_t)dendrite->node_count + 2 * WINDOW_MAX + 1) * sizeof *values);
-    float trunk_end = 0;
-    int last = 0;
-    int32_t leaves = 0;
+    size_t count = (size_t)dendrite->node_count;
+    float *values = malloc((count + 2 * WINDOW_MAX + 1) * sizeof *values);
+    struct whole whole = {.beyond = calloc(count + 1, sizeof *whole.beyond)};
     for (int32_t b = 0; b < dendrite->branch_count && values; b++) {
         average(dendrite, importance, &dendrite->branches[b], window, values);
     }
-    for (int32_t i = 0; i < dendrite->node_count; i++) {
+    for (int32_t i = dendrite->node_count - 1; i >= 0 && whole.beyond; i--) {
         const struct dendrite_node *node = &dendrite->nodes[i];
-        last = node->level > last ? node->level : last;
-        trunk_end = node->level == 0 && node->reach > trunk_end ? node->reach : trunk_end;
-        leaves = node->leaves > leaves ? node->leaves : leaves;
+        whole.last = node->level > whole.last ? node->level : whole.last;
+        whole.trunk_end = node->level == 0 && node->reach > whole.trunk_end ? node->reach : whole.trunk_end;
+        whole.leaves = node->leaves > whole.leaves ? node->leaves : whole.leaves;
+        if (node->parent >= 0) {
+            float far = whole.beyond[i] + node->reach - dendrite->nodes[node->parent].reach;
+            float *parent = &whole.beyond[node->parent];
+            *parent = far > *parent ? far : *parent;
+        }
     }
-    for (int32_t i = 0; i < dendrite->node_count; i++) {
-        dendrite->nodes[i].radius = radius_of(dendrite, i, thickness, last, trunk_end, leaves);
+    for (int32_t i = 0; i < dendrite->node_count && values && whole.beyond; i++) {
+        dendrite->nodes[i].radius = radius_of(dendrite, i, thickness, &whole);
     }
     free(values);
+    free(whole.beyond);
 }
 
 static int32_t find(int32_t *group, int32_t node)

@@ -5,7 +5,12 @@
 
 #include "memory.h"
 
-enum { BRUSH_MARGIN = 24 }; /* pixels around a change from which endpoints keep others apart */
+static const float TREE_TAPER = 0.14f; /* pixels for each pixel */
+
+enum {
+    BRUSH_MARGIN = 24, /* pixels around a change from which endpoints keep others apart */
+    TRUNK_SMOOTH = 24, /* more passes over the trunk and primary branches of a tree */
+};
 
 static struct lattice_def lattice_of(const struct growth_def *def)
 {
@@ -78,8 +83,9 @@ bool growth_finish_layer(const struct growth *growth, struct dendrite *dendrite)
     if (def->tree) {
         thickness.step = def->step;
         thickness.trunk = def->trunk;
+        thickness.taper = TREE_TAPER;
     }
-    dendrite_smooth(dendrite, def->smooth, def->jitter, (uint32_t)def->seed);
+    dendrite_smooth(dendrite, def->smooth, def->jitter, (uint32_t)def->seed, def->tree ? TRUNK_SMOOTH : 0);
     dendrite_thicken(dendrite, growth->importance, &thickness);
     return true;
 }
@@ -231,7 +237,7 @@ bool growth_strokes(const struct growth *growth, struct strokes *strokes)
         good = strokes_branches(strokes, layer, i) &&
                (def->needles <= 0 || strokes_needles(strokes, layer, i, def->needles, seed)) &&
                (def->tendrils <= 0 || strokes_tendrils(strokes, layer, i, def->tendrils, seed)) &&
-               (def->leaves <= 0 || strokes_leaves(strokes, layer, i, def->leaves, 1.1f * def->leaves, seed));
+               (def->leaves <= 0 || strokes_leaves(strokes, layer, i, def->leaves, 2.1f * def->leaves, seed));
     }
     return good;
 }

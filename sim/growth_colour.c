@@ -110,9 +110,9 @@ static void match_background(struct growth_shade *shade)
     for (int c = 0; c < 3; c++) {
         mean[c] = whole[c] / pixels;
         dark[c] /= taken > 0 ? taken : 1;
-        shade->dark[c] = (float)(0.80 * dark[c]);
-        shade->middle[c] = (float)(0.75 * dark[c] + 0.16 * mean[c]);
-        shade->light[c] = (float)(0.55 * dark[c] + 0.45 * mean[c]);
+        shade->dark[c] = (float)(0.55 * dark[c]);
+        shade->middle[c] = (float)(0.62 * dark[c] + 0.10 * mean[c]);
+        shade->light[c] = (float)(0.50 * dark[c] + 0.38 * mean[c]);
         shade->haze[c] = (float)mean[c];
     }
 }

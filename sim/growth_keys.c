@@ -55,7 +55,7 @@ const struct key growth_keys[] = {
     WHOLE(window, 0, 64, 8, "nodes", "Nodes on either side over which importance is averaged."),
     NUMBER(branch, 0, 64, 3, "pixels", "Radius at the foot of a branch that carries everything."),
     NUMBER(step, 0, 16, 0.5, "pixels", "Radius that each later iteration of a tree adds to what was there."),
-    NUMBER(trunk, 0, 64, 5, "pixels", "More radius at the foot of a tree's trunk."),
+    NUMBER(trunk, 0, 64, 4, "pixels", "More radius at the foot of a tree's trunk."),
     NUMBER(mix, 0, 1, 1, "", "Thickness by importance (1), as branches (0), or between."),
     NUMBER(leaves, 0, 64, 0, "pixels", "Length of leaves; 0: none."),
     NUMBER(tendrils, 0, 64, 0, "pixels", "Length of tendrils; 0: none."),
@@ -64,8 +64,8 @@ const struct key growth_keys[] = {
     WHOLE(primary, 0, 16, 6, "", "Primary branches of a tree."),
     WHOLE(layers, 1, GROWTH_LAYERS_MAX, 2, "", "Crowns of a tree behind one another."),
     CHOICE(side, SIDES, SIDE_LEFT, "The side of a tree's crown that grows free of the picture."),
-    NUMBER(radius, 0.02, 1, 0.22, "of the height", "How far a tree's first iteration reaches; half each time."),
-    NUMBER(spacing, 1, 200, 30, "", "Threshold of stippling in a tree's first iteration; half each time."),
+    NUMBER(radius, 0.02, 1, 0.26, "of the height", "How far a tree's first iteration reaches; half each time."),
+    NUMBER(spacing, 1, 200, 20, "", "Threshold of stippling in a tree's first iteration; half each time."),
     NUMBER(crown, 0.1, 2, 1, "", "Size of a tree's crown."),
     {.name = "fork",
      .type = KEY_POINT,
@@ -97,29 +97,31 @@ struct growth_def growth_preset(enum metaphor metaphor, bool tree)
     def.fork = (struct point){0.42f, 0.52f};
     switch (metaphor) {
     case METAPHOR_VINE:
-        def.endpoints = 1100;
+        def.endpoints = 1300;
         def.smooth = 12;
-        def.mix = 0.55f;
-        def.tip = 0.4f;
+        def.mix = 0.75f;
+        def.tip = 0.3f;
+        def.gain = 2.3f;
         def.branch = 4;
-        def.leaves = 13;
-        def.tendrils = 20;
+        def.leaves = 8;
+        def.tendrils = 17;
         break;
     case METAPHOR_LIGHTNING:
         def.light = true;
         def.upward = 4;
-        def.sideways = 1.6f;
-        def.endpoints = 2200;
-        def.smooth = 0;
-        def.jitter = 0.6f;
+        def.sideways = 1.3f;
+        def.endpoints = 1700;
+        def.smooth = 1;
+        def.jitter = 1.1f;
         def.tip = 0.2f;
-        def.gain = 0.9f;
-        def.random = 0.12f;
-        def.mix = 0.6f;
+        def.gain = 1.0f;
+        def.random = 0.55f;
+        def.mix = 0.7f;
         break;
     case METAPHOR_WINTER:
-        def.mix = 0.5f;
-        def.branch = 5;
+        def.mix = 0.75f;
+        def.gain = 2.2f;
+        def.branch = 6;
         def.tip = 0.28f;
         def.jitter = 0.4f;
         break;

@@ -5,6 +5,8 @@
 
 #include "memory.h"
 
+enum { REPLAN_PART = 6 };
+
 const char *const metric_names[METRICS + 1] = {"cumulative", "partial", "weighted", "full", NULL};
 
 struct routes *routes_create(const struct lattice *lattice)
@@ -299,6 +301,9 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
                 route_queue_push(&routes->queue, 0, node);
             }
         }
+    }
+    if (gone > lattice->nodes / REPLAN_PART) { /* planning anew is cheaper */
+        return routes_plan(routes, routes->metric, routes->emphasis, routes->seeds, routes->seed_count);
     }
     for (int32_t i = 0; i < gone; i++) {
         find_again(routes, routes->stack[i]);

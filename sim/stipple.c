@@ -20,7 +20,6 @@ struct stipple {
     const struct lattice *lattice;
     uint16_t *step;          /* onto each node; 0: a wall */
     uint16_t *least, *steps; /* so far; steps of the way */
-    uint8_t *taken;
     int32_t *nodes;
     int32_t count;
     int threshold;
@@ -44,13 +43,11 @@ struct stipple *stipple_create(const struct lattice *lattice)
     stipple->step = memory_take(nodes, sizeof *stipple->step, &bytes);
     stipple->least = memory_take(nodes, sizeof *stipple->least, &bytes);
     stipple->steps = memory_take(nodes, sizeof *stipple->steps, &bytes);
-    stipple->taken = memory_take(nodes, 1, &bytes);
     stipple->nodes = memory_take(nodes, sizeof *stipple->nodes, &bytes);
     stipple->heads = malloc(BUCKETS * sizeof *stipple->heads);
     stipple->pool_room = 4096;
     stipple->pool = malloc(stipple->pool_room * sizeof *stipple->pool);
-    if (!stipple->step || !stipple->least || !stipple->steps || !stipple->taken || !stipple->nodes || !stipple->heads ||
-        !stipple->pool) {
+    if (!stipple->step || !stipple->least || !stipple->steps || !stipple->nodes || !stipple->heads || !stipple->pool) {
         stipple_destroy(stipple);
         return NULL;
     }
@@ -63,7 +60,6 @@ void stipple_destroy(struct stipple *stipple)
         free(stipple->step);
         free(stipple->least);
         free(stipple->steps);
-        free(stipple->taken);
         free(stipple->nodes);
         free(stipple->heads);
         free(stipple->pool);
@@ -123,11 +119,13 @@ static void push(struct stipple *stipple, int32_t node, int cost)
 static inline void reach(struct stipple *stipple, int32_t node, unsigned base, unsigned steps)
 {
     unsigned cost = base + stipple->step[node];
-    if (stipple->taken[node] || cost >= stipple->least[node]) {
+    if (cost >= stipple->least[node]) {
         return;
     }
     stipple->least[node] = (uint16_t)cost;
-    stipple->steps[node] = (uint16_t)(steps < OPEN - 1 ? steps + 1 : steps);
+    if (stipple->steps[node] == OPEN) { /* the first way to come: later ones lead through stipples */
+        stipple->steps[node] = (uint16_t)(steps < OPEN - 1 ? steps + 1 : steps);
+    }
     push(stipple, node, (int)cost);
 }
 
@@ -135,9 +133,9 @@ static void take_node(struct stipple *stipple, int32_t node)
 {
     const struct lattice *lattice = stipple->lattice;
     unsigned cost = stipple->least[node], steps = stipple->steps[node];
-    stipple->taken[node] = 1;
     if ((int)cost > stipple->threshold) {
         stipple->nodes[stipple->count++] = node;
+        stipple->least[node] = 0;
         cost = 0;
     }
     if (!lattice->weight) {
@@ -152,7 +150,7 @@ static void take_node(struct stipple *stipple, int32_t node)
     reach(stipple, node + lattice->stride, cost, steps);
 }
 
-/* All open nodes of the part are free, everything else is taken already. */
+/* All open nodes of the part are free; nothing leads anywhere else, since nothing is cheaper there. */
 static void clear(struct stipple *stipple)
 {
     const struct lattice *lattice = stipple->lattice;
@@ -162,17 +160,15 @@ static void clear(struct stipple *stipple)
     stipple->failed = false;
     if (!lattice->weight) {
         memset(stipple->least, 0xff, (size_t)lattice->nodes * sizeof *stipple->least);
-        memset(stipple->taken, 0, (size_t)lattice->nodes);
         memset(stipple->steps, 0xff, (size_t)lattice->nodes * sizeof *stipple->steps);
         return;
     }
-    memset(stipple->taken, 1, (size_t)lattice->nodes);
+    memset(stipple->least, 0, (size_t)lattice->nodes * sizeof *stipple->least);
     memset(stipple->steps, 0xff, (size_t)lattice->nodes * sizeof *stipple->steps);
     for (int y = stipple->within.y0; y < stipple->within.y1; y++) {
         for (int32_t node = lattice_node(lattice, stipple->within.x0, y);
              node < lattice_node(lattice, stipple->within.x1, y); node++) {
-            stipple->least[node] = OPEN;
-            stipple->taken[node] = stipple->step[node] == 0;
+            stipple->least[node] = stipple->step[node] > 0 ? OPEN : 0;
         }
     }
 }
@@ -188,7 +184,7 @@ int32_t stipple_run(struct stipple *stipple, const int32_t *seeds, int32_t count
                              : STIPPLE_THRESHOLD_MAX - STIPPLE_COST_MOST - 1;
     clear(stipple);
     for (int32_t i = 0; i < count; i++) {
-        if (!stipple->taken[seeds[i]]) {
+        if (stipple->least[seeds[i]] > 0) {
             stipple->least[seeds[i]] = stipple->steps[seeds[i]] = 0;
             push(stipple, seeds[i], 0);
         }
@@ -203,7 +199,7 @@ int32_t stipple_run(struct stipple *stipple, const int32_t *seeds, int32_t count
         stipple->heads[stipple->cursor] = stipple->pool[at].next;
         stipple->pool[at].next = stipple->unused;
         stipple->unused = at;
-        if (!stipple->taken[node]) {
+        if (stipple->least[node] / STIPPLE_COST_LEAST == stipple->cursor) { /* not a way that was better since */
             take_node(stipple, node);
         }
     }
@@ -221,10 +217,20 @@ static double first_threshold(const struct stipple *stipple, int32_t target)
     return sqrt(per_node * sum / (target > 0 ? target : 1));
 }
 
+/* What is tried next: where the count would be right if it followed the threshold as a power; within the bracket. */
+static double next_threshold(double threshold, double found, double target, const double bracket[2])
+{
+    double next = threshold * pow(found > 0 ? found / target : 0.25, 0.5);
+    bool known = bracket[0] > 0 && bracket[1] > 0;
+    if (known && (next <= bracket[0] || next >= bracket[1])) {
+        next = 0.5 * (bracket[0] + bracket[1]);
+    }
+    return next < STIPPLE_THRESHOLD_MAX / 2 ? next : STIPPLE_THRESHOLD_MAX / 2.0;
+}
+
 int32_t stipple_search(struct stipple *stipple, const int32_t *seeds, int32_t count, int32_t target)
 {
-    double threshold = first_threshold(stipple, target), slope = -0.5;
-    double last_threshold = 0, last_count = 0;
+    double threshold = first_threshold(stipple, target), bracket[2] = {0, 0}; /* too many, too few */
     int best_threshold = 0;
     int32_t found = 0, best = -1;
     for (int run = 0; run < STIPPLE_RUNS; run++) {
@@ -238,17 +244,15 @@ int32_t stipple_search(struct stipple *stipple, const int32_t *seeds, int32_t co
             best = found;
             best_threshold = whole;
         }
-        if (abs(found - target) * 100 <= target || whole == 1 || found == 0) {
+        if (abs(found - target) * 200 <= 3 * target || (whole == 1 && found <= target)) {
             break;
         }
-        if (last_count > 0 && last_count != found) { /* how the count follows the threshold, as a power */
-            double power = log(threshold / last_threshold) / log(found / last_count);
-            slope = power < -0.1 && power > -1.5 ? power : -0.5;
+        bracket[found < target] = whole;
+        if (bracket[1] > 0 && bracket[0] >= bracket[1] - 1) { /* counts do not always fall: begin again, a little off */
+            bracket[0] = bracket[1] = 0;
+            threshold *= 1.013;
         }
-        last_threshold = threshold;
-        last_count = found;
-        threshold *= pow((double)target / found, slope);
-        threshold = threshold < STIPPLE_THRESHOLD_MAX / 2 ? threshold : STIPPLE_THRESHOLD_MAX / 2.0;
+        threshold = next_threshold(threshold, found, target, bracket);
     }
     if (found != best) {
         found = stipple_run(stipple, seeds, count, best_threshold, NULL);

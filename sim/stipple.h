@@ -13,7 +13,7 @@ enum {
     STIPPLE_UNIT = 160,      /* of a cost of 1 */
     STIPPLE_COST_LEAST = 16, /* of a step: 0.1 */
     STIPPLE_COST_MOST = 656, /* 4.1 */
-    STIPPLE_RUNS = 10,       /* of a search, at most */
+    STIPPLE_RUNS = 14,       /* of a search, at most */
     STIPPLE_THRESHOLD_MAX = 65535,
 };
 
@@ -32,7 +32,7 @@ void stipple_weigh_nodes(struct stipple *stipple, const float *importance);
  * many stipples there are, -1 when memory is short. */
 int32_t stipple_run(struct stipple *stipple, const int32_t *seeds, int32_t count, int threshold,
                     const struct rectangle *within);
-/* Runs until there are `target` of them, within one in a hundred or as near as STIPPLE_RUNS come. Returns how many
+/* Runs until there are `target` of them, within 1.5 in a hundred or as near as STIPPLE_RUNS come. Returns how many
  * there are, -1 when memory is short. */
 int32_t stipple_search(struct stipple *stipple, const int32_t *seeds, int32_t count, int32_t target);
 

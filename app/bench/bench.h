@@ -37,4 +37,7 @@ bool bench_painting(struct bench *bench);
 /* The GPU engine and its picture. False with the reason in meaning_text. */
 bool bench_graphics(struct bench *bench);
 
+/* Dendrites and trees from pictures. False when memory is short. */
+bool bench_trees(struct bench *bench);
+
 #endif

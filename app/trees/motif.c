@@ -73,7 +73,7 @@ static float eye_tone(struct spot at, float tone)
         float ball = mix(mix(mix(0.78f, 0.26f, iris), 0.02f, pupil), 0.95f, glint);
         tone = mix(tone, ball, white);
         tone = mix(tone, 0.04f, ramp(0.014f, 0.004f, fabsf(y + lid + 0.004f)) * ramp(0.15f, 0.12f, fabsf(x)));
-        float arch = at.y + 0.235f + 0.9f * (fabsf(x) * fabsf(x)) - 0.10f * x * (float)side;
+        float arch = at.y + 0.235f + 0.9f * (fabsf(x) * fabsf(x)) + 0.02f * x * (float)side;
         tone = mix(tone, 0.09f, 0.9f * ramp(0.034f, 0.012f, fabsf(arch)) * ramp(0.165f, 0.10f, fabsf(x)));
     }
     return tone;
@@ -86,7 +86,8 @@ static float hair_tone(struct spot at, float *cover)
     float outer = hypotf(px / (0.60f + 0.10f * fall), (at.y + 0.12f) / 0.78f);
     float line = -0.44f + 0.55f * px * px + 1.4f * fabsf(px) * fabsf(px) * fabsf(px) + 0.10f * px;
     float forehead = ramp(line + 0.02f, line - 0.02f, at.y);
-    float sides = ramp(0.385f, 0.43f, fabsf(at.x) + 0.10f * ramp(0.0f, 0.75f, at.y)) * ramp(0.78f, 0.6f, at.y);
+    float sides = ramp(0.385f, 0.43f, fabsf(at.x) + 0.10f * ramp(0.0f, 0.75f, at.y)) *
+                  ramp(0.86f, 0.45f, at.y + 0.09f * sinf(31 * at.x) + 0.05f * sinf(57 * at.x));
     float inside = at.y < 0.1f ? ramp(1.03f, 0.99f, outer) : ramp(0.68f, 0.64f, fabsf(px) + 0.02f * sinf(14 * at.y));
     *cover = inside * (forehead > sides ? forehead : sides);
     float along = fabsf(px) * 20 + 3.2f * at.y + 1.3f * sinf(3.1f * at.y + 2 * px);
@@ -214,6 +215,7 @@ void motif_draw(enum motif motif, int width, int height, float *rgb)
                 continue;
             }
             float tone = motif == MOTIF_PORTRAIT ? portrait(at) : motif == MOTIF_SPHERE ? sphere(at) : leaf(at);
+            tone += 0.018f * random_signed(x, y, 5, RANDOM_GRAIN); /* as of film */
             tone = tone < 0 ? 0 : tone > 1 ? 1 : tone;
             pixel[0] = tone * 1.00f;
             pixel[1] = tone * (0.93f + 0.07f * tone);
