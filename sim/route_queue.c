@@ -20,8 +20,12 @@ void route_queue_finish(struct route_queue *queue)
     free(queue->heads);
 }
 
-void route_queue_start(struct route_queue *queue, int shift)
+void route_queue_start(struct route_queue *queue, int shift, bool fine)
 {
+    memset(queue->ring, 0xff, sizeof queue->ring);
+    queue->ring_count = 0;
+    queue->ring_low = 0;
+    queue->fine = fine;
     memset(queue->heads, 0xff, (ROUTE_BUCKETS + 1) * sizeof *queue->heads);
     queue->heap_count = 0;
     queue->pool_count = 0;
@@ -70,14 +74,8 @@ static void heap_down(struct route_entry *heap, size_t count, size_t at, struct 
     heap[at] = entry;
 }
 
-void route_queue_push(struct route_queue *queue, uint64_t key, int32_t node)
+static void chain(struct route_queue *queue, int32_t *head, uint64_t key, int32_t node)
 {
-    uint64_t bucket = key >> queue->shift;
-    bucket = bucket < ROUTE_BUCKETS ? bucket : ROUTE_BUCKETS;
-    if ((int)bucket <= queue->cursor) {
-        heap_up(queue, key, node);
-        return;
-    }
     int32_t at = queue->unused;
     if (at >= 0) {
         queue->unused = queue->pool[at].next;
@@ -87,8 +85,22 @@ void route_queue_push(struct route_queue *queue, uint64_t key, int32_t node)
     } else {
         at = queue->pool_count++;
     }
-    queue->pool[at] = (struct route_entry){key, node, queue->heads[bucket]};
-    queue->heads[bucket] = at;
+    queue->pool[at] = (struct route_entry){key, node, *head};
+    *head = at;
+}
+
+void route_queue_push(struct route_queue *queue, uint64_t key, int32_t node)
+{
+    uint64_t bucket = key >> queue->shift, fine = key >> ROUTE_FINE_BITS;
+    bucket = bucket < ROUTE_BUCKETS ? bucket : ROUTE_BUCKETS;
+    if ((int)bucket > queue->cursor) {
+        chain(queue, &queue->heads[bucket], key, node);
+    } else if (queue->fine && fine - queue->ring_low < ROUTE_RING) {
+        chain(queue, &queue->ring[fine % ROUTE_RING], key, node);
+        queue->ring_count++;
+    } else {
+        heap_up(queue, key, node);
+    }
 }
 
 /* Makes the next bucket that holds anything the heap. */
@@ -115,9 +127,33 @@ static void open_bucket(struct route_queue *queue, const uint64_t *labels)
     }
 }
 
+static void take_first(struct route_queue *queue, uint64_t *key, int32_t *node)
+{
+    *key = queue->heap[0].key;
+    *node = queue->heap[0].node;
+    queue->heap_count--;
+    if (queue->heap_count > 0) {
+        heap_down(queue->heap, queue->heap_count, 0, queue->heap[queue->heap_count]);
+    }
+    queue->ring_low = *key >> ROUTE_FINE_BITS;
+}
+
+static void take_from_ring(struct route_queue *queue, uint64_t low, uint64_t *key, int32_t *node)
+{
+    int32_t *head = &queue->ring[low % ROUTE_RING], at = *head;
+    struct route_entry *entry = &queue->pool[at];
+    *key = entry->key;
+    *node = entry->node;
+    *head = entry->next;
+    entry->next = queue->unused;
+    queue->unused = at;
+    queue->ring_count--;
+    queue->ring_low = low;
+}
+
 bool route_queue_pop(struct route_queue *queue, const uint64_t *labels, uint64_t *key, int32_t *node)
 {
-    while (queue->heap_count == 0) {
+    while (queue->heap_count == 0 && queue->ring_count == 0) {
         do {
             if (++queue->cursor > ROUTE_BUCKETS) {
                 queue->cursor = ROUTE_BUCKETS;
@@ -126,11 +162,18 @@ bool route_queue_pop(struct route_queue *queue, const uint64_t *labels, uint64_t
         } while (queue->heads[queue->cursor] < 0);
         open_bucket(queue, labels);
     }
-    *key = queue->heap[0].key;
-    *node = queue->heap[0].node;
-    queue->heap_count--;
-    if (queue->heap_count > 0) {
-        heap_down(queue->heap, queue->heap_count, 0, queue->heap[queue->heap_count]);
+    if (queue->ring_count == 0) {
+        take_first(queue, key, node);
+        return true;
+    }
+    uint64_t low = queue->ring_low;
+    while (queue->ring[low % ROUTE_RING] < 0) {
+        low++;
+    }
+    if (queue->heap_count > 0 && queue->heap[0].key >> ROUTE_FINE_BITS <= low) {
+        take_first(queue, key, node);
+    } else {
+        take_from_ring(queue, low, key, node);
     }
     return true;
 }

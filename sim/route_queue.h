@@ -1,5 +1,5 @@
-/* The frontier of path planning: a priority queue for keys that hardly ever go down. Keys are sorted into buckets; only
- * the bucket in work is a heap. */
+/* The frontier of path planning: a priority queue for keys that never go below the last one taken. Keys are sorted into
+ * buckets; the bucket in work is a heap, and what is pushed into it a ring of finer buckets. */
 #ifndef FROND_ROUTE_QUEUE_H
 #define FROND_ROUTE_QUEUE_H
 
@@ -7,7 +7,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { ROUTE_BUCKETS = 16384 };
+enum {
+    ROUTE_BUCKETS = 16384,
+    ROUTE_RING = 128,
+    ROUTE_FINE_BITS = 8, /* keys of a bucket of the ring differ in so many bits: by less than a step */
+};
 
 struct route_entry {
     uint64_t key;
@@ -20,13 +24,19 @@ struct route_queue {
     int32_t pool_count, unused; /* of the pool; the first of the free ones, -1 */
     int32_t *heads;             /* of the buckets; -1: empty */
     int cursor, shift;
-    bool failed; /* memory was short: what was pushed since is lost */
+    int32_t ring[ROUTE_RING]; /* first of each bucket, -1 */
+    int32_t ring_count;
+    uint64_t ring_low; /* bucket of the last key taken */
+    bool fine;         /* the ring is in use */
+    bool failed;       /* memory was short: what was pushed since is lost */
 };
 
 bool route_queue_init(struct route_queue *queue);
 void route_queue_finish(struct route_queue *queue); /* takes zeroed */
-/* Empties it; from now on, keys that agree but for the last `shift` bits share a bucket, and all beyond the last. */
-void route_queue_start(struct route_queue *queue, int shift);
+/* Empties it; from now on, keys that agree but for the last `shift` bits share a bucket, and all beyond the last.
+ * `fine`: keys less than 2^ROUTE_FINE_BITS apart may come in any order; nothing below the last key taken is pushed
+ * then. */
+void route_queue_start(struct route_queue *queue, int shift, bool fine);
 void route_queue_push(struct route_queue *queue, uint64_t key, int32_t node);
 /* The least key and its node; false when it is empty. `labels` not NULL: entries whose key is not that of their node
  * are dropped without order. */

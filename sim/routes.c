@@ -138,6 +138,26 @@ static int queue_shift(const struct routes *routes)
     return shift;
 }
 
+/* Whether every step adds at least a bucket of the queue's ring to the sum: then no way is taken too early. Among equal
+ * maxima a lesser sum is never the worse way, so the partial metric may take these in any order, too. */
+static bool has_long_steps(const struct routes *routes)
+{
+    const struct lattice *lattice = routes->lattice;
+    uint32_t least = LATTICE_WEIGHT_MAX;
+    int lean = LATTICE_EDGE_MAX;
+    if (!lattice->weight || routes->metric == METRIC_WEIGHTED) {
+        return false;
+    }
+    for (int32_t i = 0; i < lattice->nodes; i++) {
+        uint32_t weight = lattice->weight[i] > 0 ? lattice->weight[i] : LATTICE_WEIGHT_MAX;
+        least = weight < least ? weight : least;
+    }
+    for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
+        lean = lattice->lean[d] < lean ? lattice->lean[d] : lean;
+    }
+    return 2 * least * (uint32_t)lean / LATTICE_LEAN * ROUTES_AXIS >= 1u << ROUTE_FINE_BITS;
+}
+
 static inline void settle_all(struct routes *routes, enum metric metric)
 {
     const uint64_t *labels = metric == METRIC_WEIGHTED ? NULL : routes->label;
@@ -189,7 +209,7 @@ bool routes_plan(struct routes *routes, enum metric metric, int emphasis, const 
     if (metric == METRIC_FULL) {
         return routes_span(routes);
     }
-    route_queue_start(&routes->queue, queue_shift(routes));
+    route_queue_start(&routes->queue, queue_shift(routes), has_long_steps(routes));
     for (int32_t i = 0; i < count; i++) {
         route_queue_push(&routes->queue, 0, seeds[i]);
     }
@@ -290,7 +310,7 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
     struct rectangle around = {changed.x0 - 1, changed.x1 + 1, changed.y0 - 1, changed.y1 + 1};
     around = rectangle_clip(around, lattice->width, lattice->height);
     int32_t gone = 0;
-    route_queue_start(&routes->queue, queue_shift(routes));
+    route_queue_start(&routes->queue, queue_shift(routes), false);
     for (int y = around.y0; y < around.y1; y++) {
         for (int x = around.x0; x < around.x1; x++) {
             int32_t node = lattice_node(lattice, x, y), toward = routes->toward[node];

@@ -38,6 +38,10 @@ static const struct figure_group GROUPS[] = {
     {"vision", "palettes for colour-blind eyes", figure_vision},
     {"attract", "what the sheet paints by itself", figure_attract},
     {"history", "undo, redo and the time brush", figure_history},
+    {"dendrites", "dendrites from pictures: metrics, endpoints, emphasis", figure_dendrites},
+    {"metaphors", "ink, vine, lightning, winter, frost, cracks", figure_metaphors},
+    {"trees", "trees, and pictures in trees", figure_trees},
+    {"composites", "trees in landscapes", figure_composites},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };
