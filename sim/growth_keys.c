@@ -44,7 +44,7 @@ const struct key growth_keys[] = {
     FLAG(light, "Light places are important, not dark ones."),
     NUMBER(base, 0, 1, 0.05, "", "Cost of a node that is wholly important."),
     NUMBER(picture, 0, 1, 1, "", "Cost of a node that is not important at all."),
-    NUMBER(random, 0, 0.9, 0.06, "", "Random part of a node's cost."),
+    NUMBER(random, 0, 0.9, 0.04, "", "Random part of a node's cost."),
     NUMBER(upward, 0.25, 4, 1, "", "Growing upwards costs so many times more."),
     NUMBER(sideways, 0.25, 4, 1, "", "Growing sideways costs so many times more."),
     WHOLE(smooth, 0, 64, 2, "passes", "Smoothing of branches."),
@@ -93,7 +93,7 @@ struct growth_def growth_preset(enum metaphor metaphor, bool tree)
 {
     struct growth_def def = {0};
     key_defaults(growth_keys, &def);
-    def.metaphor = metaphor;
+    def.metaphor = (int)metaphor;
     def.fork = (struct point){0.42f, 0.52f};
     switch (metaphor) {
     case METAPHOR_VINE:

@@ -113,6 +113,25 @@ static float rooted(const struct growth_shade *shade, int x, int y)
     return over < 0 ? 0 : over > 1 ? 1 : over;
 }
 
+/* The shade of a tree on the ground of a background. */
+static void add_shade(const struct growth_shade *shade, float *rgb)
+{
+    const struct growth_paint_def *def = shade->def;
+    float side = (float)shade->growth->importance->width * def->scale, wide = 0.20f * side, high = 0.022f * side;
+    int32_t foot = shade->growth->seeds[0];
+    float x0 = def->left + ((float)lattice_x(shade->growth->lattice, foot) + 0.5f) * def->scale + 0.3f * wide;
+    float y0 = def->top + 0.962f * (float)shade->growth->importance->height * def->scale;
+    for (int y = 0; y < def->height; y++) {
+        for (int x = 0; x < def->width; x++) {
+            float dx = ((float)x - x0) / wide, dy = ((float)y - y0) / high, near = 1 - dx * dx - dy * dy;
+            for (int c = 0; c < 3 && near > 0; c++) {
+                float *value = &rgb[3 * ((size_t)y * (size_t)def->width + (size_t)x) + (size_t)c];
+                *value += (shade->middle[c] - *value) * 0.38f * near;
+            }
+        }
+    }
+}
+
 static void add_raster(const struct growth_shade *shade, const struct stroke_raster *raster, float *rgb)
 {
     bool rooting = shade->def->background && shade->growth->def.tree;
@@ -186,7 +205,7 @@ static bool paint_layer(struct growth_shade *shade, const struct strokes *stroke
 {
     static const enum stroke_kind ORDER[] = {STROKE_NEEDLE, STROKE_TENDRIL, STROKE_BRANCH, STROKE_LEAF};
     for (size_t k = 0; k < sizeof ORDER / sizeof *ORDER; k++) {
-        shade->kind = ORDER[k];
+        shade->kind = (int)ORDER[k];
         stroke_raster_clear(raster);
         stroke_raster_draw(raster, strokes, shade->layer, ORDER[k], shade->def->grown);
         if (ORDER[k] == STROKE_BRANCH && !add_glows(shade, raster, rgb)) {
@@ -213,6 +232,9 @@ bool growth_paint(const struct growth *growth, const struct strokes *strokes, co
         for (int x = 0; x < def->width; x++) {
             growth_ground(&shade, x, y, rgb + 3 * ((size_t)y * (size_t)def->width + (size_t)x));
         }
+    }
+    if (def->background && growth->def.tree) {
+        add_shade(&shade, rgb);
     }
     bool good = true;
     for (int layer = growth->layer_count - 1; layer >= 0 && good; layer--) {

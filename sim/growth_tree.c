@@ -153,8 +153,9 @@ static int32_t choose(struct planting *planting, const struct stipple *stipple, 
         int y = (int)(random_unit(i, 2 * iteration + 1, planting->seed, RANDOM_PLACE) * (float)planting->height);
         size_t at = (size_t)y * (size_t)planting->width + (size_t)x;
         int32_t node = lattice_node(lattice, x, y);
-        int32_t *left = planting->wild[at] >= 0.5f ? &free_ones : &strays;
-        if (*left > 0 && steps[node] <= reach && lattice->weight[node] > 0) {
+        bool wild = planting->wild[at] >= 0.5f;
+        int32_t *left = wild ? &free_ones : &strays;
+        if (*left > 0 && steps[node] <= (wild ? reach : reach / 3) && lattice->weight[node] > 0) {
             chosen[count++] = node;
             --*left;
         }

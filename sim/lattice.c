@@ -10,7 +10,7 @@ const int lattice_steps[LATTICE_NEIGHBOURS][2] = {{-1, -1}, {0, -1}, {1, -1}, {-
 
 struct lattice_def lattice_default_def(void)
 {
-    struct lattice_def def = {.base = 0.05f, .picture = 1, .random = 0.06f};
+    struct lattice_def def = {.base = 0.05f, .picture = 1, .random = 0.04f};
     for (int i = 0; i < LATTICE_NEIGHBOURS; i++) {
         def.lean[i] = LATTICE_LEAN;
     }

@@ -26,7 +26,7 @@ struct lattice_def {
                                      its weight; 1..16 */
 };
 
-struct lattice_def lattice_default_def(void); /* 0.05, 1, 0.06, 0; all LATTICE_LEAN */
+struct lattice_def lattice_default_def(void); /* 0.05, 1, 0.04, 0; all LATTICE_LEAN */
 
 struct lattice_edge {
     int32_t a, b;    /* vertices, different */

@@ -6,7 +6,7 @@
 bool route_queue_init(struct route_queue *queue)
 {
     memset(queue, 0, sizeof *queue);
-    queue->pool_room = queue->heap_room = 4096;
+    queue->pool_room = queue->heap_room = 2048;
     queue->pool = malloc(queue->pool_room * sizeof *queue->pool);
     queue->heap = malloc(queue->heap_room * sizeof *queue->heap);
     queue->heads = malloc((ROUTE_BUCKETS + 1) * sizeof *queue->heads);
@@ -35,20 +35,29 @@ void route_queue_start(struct route_queue *queue, int shift, bool fine)
     queue->failed = false;
 }
 
-static bool grow(struct route_entry **entries, size_t *room)
+static bool grow_heap(struct route_queue *queue)
 {
-    struct route_entry *more = realloc(*entries, 2 * *room * sizeof **entries);
-    if (!more) {
-        return false;
+    struct route_entry *more = realloc(queue->heap, 2 * queue->heap_room * sizeof *more);
+    if (more) {
+        queue->heap = more;
+        queue->heap_room *= 2;
     }
-    *entries = more;
-    *room *= 2;
-    return true;
+    return more;
+}
+
+static bool grow_pool(struct route_queue *queue)
+{
+    struct route_chunk *more = realloc(queue->pool, 2 * queue->pool_room * sizeof *more);
+    if (more) {
+        queue->pool = more;
+        queue->pool_room *= 2;
+    }
+    return more;
 }
 
 static void heap_up(struct route_queue *queue, uint64_t key, int32_t node)
 {
-    if (queue->heap_count == queue->heap_room && !grow(&queue->heap, &queue->heap_room)) {
+    if (queue->heap_count == queue->heap_room && !grow_heap(queue)) {
         queue->failed = true;
         return;
     }
@@ -74,19 +83,34 @@ static void heap_down(struct route_entry *heap, size_t count, size_t at, struct 
     heap[at] = entry;
 }
 
-static void chain(struct route_queue *queue, int32_t *head, uint64_t key, int32_t node)
+/* A chunk at the head of a list; -1: memory is short. */
+static int32_t add_chunk(struct route_queue *queue, int32_t *head)
 {
     int32_t at = queue->unused;
     if (at >= 0) {
         queue->unused = queue->pool[at].next;
-    } else if ((size_t)queue->pool_count == queue->pool_room && !grow(&queue->pool, &queue->pool_room)) {
+    } else if ((size_t)queue->pool_count == queue->pool_room && !grow_pool(queue)) {
         queue->failed = true;
-        return;
+        return -1;
     } else {
         at = queue->pool_count++;
     }
-    queue->pool[at] = (struct route_entry){key, node, *head};
+    queue->pool[at].next = *head;
+    queue->pool[at].count = 0;
     *head = at;
+    return at;
+}
+
+static void chain(struct route_queue *queue, int32_t *head, uint64_t key, int32_t node)
+{
+    int32_t at = *head;
+    if (at < 0 || queue->pool[at].count == ROUTE_CHUNK) {
+        at = add_chunk(queue, head);
+    }
+    if (at >= 0) {
+        struct route_chunk *chunk = &queue->pool[at];
+        chunk->entries[chunk->count++] = (struct route_entry){key, node};
+    }
 }
 
 void route_queue_push(struct route_queue *queue, uint64_t key, int32_t node)
@@ -109,16 +133,19 @@ static void open_bucket(struct route_queue *queue, const uint64_t *labels)
     int32_t at = queue->heads[queue->cursor];
     queue->heads[queue->cursor] = -1;
     while (at >= 0) {
-        struct route_entry *entry = &queue->pool[at];
-        int32_t next = entry->next;
-        if (!labels || labels[entry->node] == entry->key) {
-            if (queue->heap_count == queue->heap_room && !grow(&queue->heap, &queue->heap_room)) {
+        struct route_chunk *chunk = &queue->pool[at];
+        int32_t next = chunk->next;
+        while (queue->heap_room < queue->heap_count + ROUTE_CHUNK) {
+            if (!grow_heap(queue)) {
                 queue->failed = true;
                 return;
             }
-            queue->heap[queue->heap_count++] = *entry;
         }
-        entry->next = queue->unused;
+        for (int32_t i = 0; i < chunk->count; i++) {
+            queue->heap[queue->heap_count] = chunk->entries[i];
+            queue->heap_count += !labels || labels[chunk->entries[i].node] == chunk->entries[i].key;
+        }
+        chunk->next = queue->unused;
         queue->unused = at;
         at = next;
     }
@@ -141,12 +168,14 @@ static void take_first(struct route_queue *queue, uint64_t *key, int32_t *node)
 static void take_from_ring(struct route_queue *queue, uint64_t low, uint64_t *key, int32_t *node)
 {
     int32_t *head = &queue->ring[low % ROUTE_RING], at = *head;
-    struct route_entry *entry = &queue->pool[at];
-    *key = entry->key;
-    *node = entry->node;
-    *head = entry->next;
-    entry->next = queue->unused;
-    queue->unused = at;
+    struct route_chunk *chunk = &queue->pool[at];
+    *key = chunk->entries[--chunk->count].key;
+    *node = chunk->entries[chunk->count].node;
+    if (chunk->count == 0) {
+        *head = chunk->next;
+        chunk->next = queue->unused;
+        queue->unused = at;
+    }
     queue->ring_count--;
     queue->ring_low = low;
 }

@@ -10,16 +10,24 @@
 enum {
     ROUTE_BUCKETS = 16384,
     ROUTE_RING = 128,
+    ROUTE_CHUNK = 15,
     ROUTE_FINE_BITS = 8, /* keys of a bucket of the ring differ in so many bits: by less than a step */
 };
 
 struct route_entry {
     uint64_t key;
-    int32_t node, next;
+    int32_t node;
+};
+
+/* Entries of a bucket, never empty; a list of single ones would wait for memory at each. */
+struct route_chunk {
+    int32_t next, count;
+    struct route_entry entries[ROUTE_CHUNK];
 };
 
 struct route_queue {
-    struct route_entry *pool, *heap;
+    struct route_chunk *pool;
+    struct route_entry *heap;
     size_t pool_room, heap_room, heap_count;
     int32_t pool_count, unused; /* of the pool; the first of the free ones, -1 */
     int32_t *heads;             /* of the buckets; -1: empty */
@@ -41,5 +49,14 @@ void route_queue_push(struct route_queue *queue, uint64_t key, int32_t node);
 /* The least key and its node; false when it is empty. `labels` not NULL: entries whose key is not that of their node
  * are dropped without order. */
 bool route_queue_pop(struct route_queue *queue, const uint64_t *labels, uint64_t *key, int32_t *node);
+
+/* A node that is likely to be taken soon, or -1: to fetch it early. */
+static inline int32_t route_queue_peek(const struct route_queue *queue)
+{
+    int32_t at = queue->ring[queue->ring_low % ROUTE_RING];
+    return at >= 0                 ? queue->pool[at].entries[queue->pool[at].count - 1].node
+           : queue->heap_count > 0 ? queue->heap[0].node
+                                   : -1;
+}
 
 #endif

@@ -164,6 +164,11 @@ static inline void settle_all(struct routes *routes, enum metric metric)
     uint64_t key;
     int32_t node;
     while (route_queue_pop(&routes->queue, labels, &key, &node)) {
+        int32_t soon = route_queue_peek(&routes->queue);
+        for (int row = -1; row <= 1 && soon >= 0; row++) { /* large pictures do not fit into any cache */
+            __builtin_prefetch(&routes->label[soon + row * routes->lattice->stride]);
+            __builtin_prefetch(&routes->lattice->weight[soon + row * routes->lattice->stride]);
+        }
         if (key == key_of(routes, metric, routes->label[node])) {
             expand(routes, metric, node);
         }

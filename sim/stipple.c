@@ -196,7 +196,15 @@ int32_t stipple_run(struct stipple *stipple, const int32_t *seeds, int32_t count
             continue;
         }
         int32_t node = stipple->pool[at].node;
-        stipple->heads[stipple->cursor] = stipple->pool[at].next;
+        int32_t next = stipple->pool[at].next;
+        if (next >= 0) { /* large pictures do not fit into any cache */
+            int32_t soon = stipple->pool[next].node;
+            for (int row = -1; row <= 1; row++) {
+                __builtin_prefetch(&stipple->least[soon + row * stipple->lattice->stride]);
+                __builtin_prefetch(&stipple->step[soon + row * stipple->lattice->stride]);
+            }
+        }
+        stipple->heads[stipple->cursor] = next;
         stipple->pool[at].next = stipple->unused;
         stipple->unused = at;
         if (stipple->least[node] / STIPPLE_COST_LEAST == stipple->cursor) { /* not a way that was better since */
