@@ -46,7 +46,7 @@ present() {
 }
 
 # Help and version: on stdout, status 0.
-for command in run render check explain devices; do
+for command in run render check explain devices grow; do
     expect 0 "$command" --help
     quiet
     head -n 1 out.txt | grep -q "^usage: frond $command" || fail "$last: no usage"
@@ -315,6 +315,38 @@ grep -q '"Dial"' out.txt || fail "$last: no dial"
 printf '05 01 c0' >bad.txt
 expect 1 devices --descriptor bad.txt
 grep -q "^frond devices: bad.txt: byte 2: " err.txt || fail "$last: no byte"
+
+# grow: usage; a dendrite and a tree from a picture of this repository, in every format.
+expect 2 grow
+says "frond grow: no picture is given; see frond grow --help"
+expect 2 grow a.png
+says "frond grow: nothing is asked for: -o FILE.png; see frond grow --help"
+expect 2 grow a.png b.png -o c.png
+says "frond grow: one picture at a time; see frond grow --help"
+expect 2 grow a.png -o b.png --metaphor vines
+grep -q "^frond grow: --metaphor: 'vines' is not it; one of ink, vine, " err.txt || fail "$last: no metaphors"
+for bad in "--endpoints 0" "--endpoints 3x" "--plant 0.5" "--plant 0.5,1.5" "--random 2" "--random nan" "--blur 1,"; do
+    # shellcheck disable=SC2086 # an option and its value
+    expect 2 grow a.png -o b.png $bad
+    grep -q "^frond grow: --[a-z]*: '.*' is not it; " err.txt || fail "$last: what is wrong is not said"
+done
+expect 1 grow no-such.png -o a.png
+grep -q "^frond grow: no-such.png" err.txt || fail "$last: no file"
+absent a.png
+painting=$data/../../config/pictures/demonstration.png
+expect 0 grow "$painting" -o a.png -o a.svg -o a.exr --detail 128 --endpoints 250 --plant 0.2,0.9 --plant 0.8,0.9 --stats a.json
+quiet
+for file in a.png a.svg a.exr; do
+    present "$file"
+done
+grep -q '"cycles":0' a.json || fail "$last: cycles"
+grep -q '"seeds":2' a.json || fail "$last: seeds"
+[ "$(grep -c '^<path class="branch" ' a.svg)" -gt 100 ] || fail "$last: hardly a path"
+expect 0 grow "$painting" -o b.png --tree --metaphor painted --background "$painting" --detail 160 --size 300 --stats b.json
+present b.png
+[ "$(grep -c '"components":1' b.json)" -eq 2 ] || fail "$last: not two whole layers"
+expect 0 explain grow.endpoints
+quiet
 
 [ "$failures" -eq 0 ] || exit 1
 echo "the command line says what it should"
