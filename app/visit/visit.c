@@ -217,7 +217,7 @@ static bool hands(struct visit *visit, enum visit_event event)
 /* What is felt while the staff looks. */
 static void feel_status(struct visit *visit, enum visit_event event)
 {
-    if (event == VISIT_INPUT || event == VISIT_PAINT || event == VISIT_HOLD) {
+    if (event == VISIT_INPUT || event == VISIT_PAINT) { /* a hand that rests there does not keep it */
         visit->status_touched_us = visit->now_us;
     } else if (event == VISIT_WASHED) {
         follow(visit, event);
