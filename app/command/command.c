@@ -8,6 +8,7 @@
 const struct command commands[] = {
     {"run", "[SCRIPT]", "the demonstration, or a session, rendered to out/", command_run},
     {"render", "SCRIPT -o FILE.png", "a session without a display", command_render},
+    {"replay", "JOURNAL -o FILE.png", "a painting again, from its journal: picture, print, film", command_replay},
     {"check", "FILE...", "prints every problem of session scripts and inputs files", command_check},
     {"explain", "[KEY]", "every key of session scripts and inputs files: type, range, default, meaning",
      command_explain},

@@ -18,6 +18,7 @@ struct command {
 extern const struct command commands[];
 
 int command_render(int argc, char *argv[]);
+int command_replay(int argc, char *argv[]);
 int command_check(int argc, char *argv[]);
 int command_explain(int argc, char *argv[]);
 int command_bench(int argc, char *argv[]);

@@ -6,6 +6,7 @@
 #include "option.h"
 #include "picture.h"
 #include "pictures.h"
+#include "plan.h"
 #include "render.h"
 
 static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n"
@@ -16,6 +17,10 @@ static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n
                            "      --every N          ticks from one of those to the next; 10 if left out\n"
                            "      --fields FILE.exr  every field of the painting, as float channels\n"
                            "      --stats FILE.json  sums, extremes and the figures of the shape\n"
+                           "      --journal FILE     the session as a journal, for frond replay\n"
+                           "      --svg FILE.svg         the branches as strokes in millimetres, for plotters and\n"
+                           "                             embroidery\n"
+                           "      --paper MM             width of its sheet; 200 if left out\n"
                            "      --seed N           instead of the script's\n"
                            "      --ticks N          instead of the script's\n"
                            "      --engine KIND      cpu (if left out), gpu, or auto: the faster on this machine.\n"
@@ -30,6 +35,8 @@ enum {
     EVERY,
     FIELDS,
     STATS,
+    SVG,
+    PAPER,
     SIZE,
     SEED,
     TICKS,
@@ -37,6 +44,7 @@ enum {
     DENSE,
     ENGINE,
     SHADERS,
+    JOURNAL,
     HELP_ASKED,
     THREADS_MAX = 64
 };
@@ -57,6 +65,7 @@ static int wrong(const char *option, const char *found, const char *allowed)
 static int take_option(struct order *order, int option)
 {
     struct render_def *def = &order->def;
+    int paper;
     switch (option) {
     case 'o':
         def->picture = optarg;
@@ -69,6 +78,18 @@ static int take_option(struct order *order, int option)
         break;
     case STATS:
         def->stats = optarg;
+        break;
+    case JOURNAL:
+        def->journal = optarg;
+        break;
+    case SVG:
+        def->svg = optarg;
+        break;
+    case PAPER:
+        if (!option_whole(optarg, PLAN_PAPER_LEAST, PLAN_PAPER_MOST, &paper)) {
+            return wrong("paper", optarg, "10 to 5000 mm");
+        }
+        def->paper_mm = paper;
         break;
     case DENSE:
         def->dense = true;
@@ -116,14 +137,23 @@ static int take_option(struct order *order, int option)
 /* Reads the command line. False when that was all, with the exit status. */
 static bool read_order(int argc, char *argv[], struct order *order, int *status)
 {
-    static const struct option options[] = {
-        {"output", required_argument, NULL, 'o'},      {"size", required_argument, NULL, SIZE},
-        {"frames", required_argument, NULL, FRAMES},   {"every", required_argument, NULL, EVERY},
-        {"fields", required_argument, NULL, FIELDS},   {"stats", required_argument, NULL, STATS},
-        {"seed", required_argument, NULL, SEED},       {"ticks", required_argument, NULL, TICKS},
-        {"threads", required_argument, NULL, THREADS}, {"dense", no_argument, NULL, DENSE},
-        {"engine", required_argument, NULL, ENGINE},   {"shaders", required_argument, NULL, SHADERS},
-        {"help", no_argument, NULL, HELP_ASKED},       {NULL, 0, NULL, 0}};
+    static const struct option options[] = {{"output", required_argument, NULL, 'o'},
+                                            {"size", required_argument, NULL, SIZE},
+                                            {"frames", required_argument, NULL, FRAMES},
+                                            {"every", required_argument, NULL, EVERY},
+                                            {"fields", required_argument, NULL, FIELDS},
+                                            {"stats", required_argument, NULL, STATS},
+                                            {"svg", required_argument, NULL, SVG},
+                                            {"paper", required_argument, NULL, PAPER},
+                                            {"seed", required_argument, NULL, SEED},
+                                            {"ticks", required_argument, NULL, TICKS},
+                                            {"threads", required_argument, NULL, THREADS},
+                                            {"dense", no_argument, NULL, DENSE},
+                                            {"engine", required_argument, NULL, ENGINE},
+                                            {"shaders", required_argument, NULL, SHADERS},
+                                            {"journal", required_argument, NULL, JOURNAL},
+                                            {"help", no_argument, NULL, HELP_ASKED},
+                                            {NULL, 0, NULL, 0}};
     int option;
     optind = 0;
     while ((option = getopt_long(argc, argv, ":o:h", options, NULL)) != -1) {
@@ -143,7 +173,7 @@ static bool read_order(int argc, char *argv[], struct order *order, int *status)
                 optind < argc ? "one script at a time" : "no script is given");
         return false;
     }
-    if (!order->def.picture) {
+    if (!order->def.picture && !order->def.svg) {
         fprintf(stderr, "frond render: no picture is asked for: -o FILE.png; see frond render --help\n");
         return false;
     }

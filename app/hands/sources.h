@@ -41,7 +41,7 @@ bool sources_device(const struct sources *sources, const struct event *event, st
 int sources_devices(const struct sources *sources, struct device *devices, int most);
 /* The next line for the log, once. */
 bool sources_log(struct sources *sources, char *line, int size);
-/* A lamp of the inputs file, 0..1. */
+/* A lamp of the inputs file, 0..1; those of controllers follow those on lines. */
 void sources_light(struct sources *sources, int lamp, float level);
 /* The source of that name, "hid", for what it has beyond the common interface; NULL: it is not there. */
 struct source *sources_find(const struct sources *sources, const char *name);

@@ -15,6 +15,7 @@
 #include "limits.h"
 #include "live_care.h"
 #include "live_input.h"
+#include "live_kiosk.h"
 #include "live_picture.h"
 #include "script_sheet.h"
 #include "studio.h"
@@ -35,7 +36,9 @@ struct live {
     struct live_picture picture;
     struct live_care care;
     struct live_input input;
+    struct live_kiosk kiosk; /* without an exhibit it does nothing */
     struct shader_folder folder;
+    struct engine_choice choice;
     int signals; /* a descriptor that becomes readable when it is time to go */
     enum display_state state;
     char described[300]; /* what was said of the display last */
@@ -85,15 +88,17 @@ static void release_signals(int descriptor)
 static bool told_to_go(const struct live *live)
 {
     struct signalfd_siginfo info;
-    return display_closed(live->display) || read(live->signals, &info, sizeof info) == (ssize_t)sizeof info ||
+    return display_closed(live->display) || live_kiosk_leaves(&live->kiosk) ||
+           read(live->signals, &info, sizeof info) == (ssize_t)sizeof info ||
            (live->def->frames > 0 && display_frames(live->display).presented >= (uint64_t)live->def->frames);
 }
 
 static void feel(struct live *live)
 {
-    char line[400];
+    char line[1300];
     live_input_feel(&live->input, live->display, live->studio);
-    while (live_input_log(&live->input, line, sizeof line)) {
+    live_kiosk_run(&live->kiosk);
+    while (live_input_log(&live->input, line, sizeof line) || live_kiosk_log(&live->kiosk, line, sizeof line)) {
         say("%s", line);
     }
 }
@@ -131,12 +136,14 @@ static bool draw(struct live *live)
         return true;
     }
     const struct fields *fields = studio_newest(live->studio, &fresh);
-    if (!fields || (!fresh && now - live->presented_s < AGAIN_S)) {
+    if (!fields || (!fresh && !live_kiosk_changed(&live->kiosk) && !live_picture_fades(&live->picture) &&
+                    now - live->presented_s < AGAIN_S)) {
         nap();
         return true;
     }
     struct shader_error error;
-    if (!live_picture_draw(&live->picture, live->display, fields, fresh, &error)) {
+    if (!live_picture_draw(&live->picture, live->display, fields, fresh, &error) ||
+        !live_kiosk_draw(&live->kiosk, &error)) {
         say("%s", error.text);
         return false;
     }
@@ -162,6 +169,7 @@ static bool recover(struct live *live)
     double start = bench_wall_s();
     say("GL is lost");
     live_picture_finish(&live->picture);
+    live_kiosk_lost(&live->kiosk);
     live_input_unseen(&live->input);
     studio_suspend(live->studio);
     while (!display_renew(live->display, &display_error)) {
@@ -231,7 +239,7 @@ static bool run(struct live *live)
 {
     bool good = true;
     while (good && !told_to_go(live)) {
-        display_wait(live->display, live_input_wait_ms(&live->input, WAIT_MS));
+        display_wait(live->display, live_input_wait_ms(&live->input, live_kiosk_wait_ms(&live->kiosk, WAIT_MS)));
         if (display_lost(live->display)) {
             good = recover(live);
             continue;
@@ -251,11 +259,11 @@ static bool open_studio(struct live *live)
     struct studio_error error;
     struct painting_def painting = script_painting(live->script);
     const struct shader_folder *folder = live->folder.path ? &live->folder : NULL;
-    struct engine_choice choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
-                                                engine_choice_path(path, sizeof path) ? path : NULL);
-    say("%s", choice.why);
+    live->choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
+                                 engine_choice_path(path, sizeof path) ? path : NULL);
+    say("%s", live->choice.why);
     def.script = live->script;
-    def.engine = choice.kind;
+    def.engine = live->choice.kind;
     def.folder = folder;
     def.ticks_per_second = live->def->ticks_per_second;
     def.xray = live->def->xray;
@@ -267,10 +275,20 @@ static bool open_studio(struct live *live)
     return live->studio;
 }
 
+/* The exhibit's kiosk with its input, or the input of a session. */
 static bool open_input(struct live *live)
 {
-    bool good = live_input_open(&live->input, live->script, live->display,
-                                &(struct live_input_def){live->def->inputs, live->def->rotation, live->def->hold});
+    const struct live_input_def input = {
+        .inputs = live->def->inputs, .rotation = live->def->rotation, .hold = live->def->hold};
+    const struct live_kiosk_def def = {live->def->exhibit, live->def->open, live->def->state};
+    const struct live_status_def status = {.display = live->display,
+                                           .studio = live->studio,
+                                           .input = &live->input,
+                                           .care = &live->care,
+                                           .engine = live->choice.why};
+    bool good = live_kiosk_open(&live->kiosk, &def, &status, &live->picture, &live->input, &input,
+                                live->def->shaders ? &live->folder : NULL) &&
+                (def.exhibit || live_input_open(&live->input, live->script, live->display, &input));
     if (!good) {
         say("memory is short for what visitors do");
     }
@@ -287,7 +305,7 @@ bool live(const struct script *script, struct display *display, const struct liv
     say("display: %s", live.described);
     bool good = live.signals >= 0 &&
                 live_care_init(&live.care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
-                open_input(&live) && open_studio(&live);
+                open_studio(&live) && open_input(&live);
     if (good) {
         studio_rest(live.studio, live.state != DISPLAY_SHOWN);
         good = run(&live);
@@ -296,6 +314,7 @@ bool live(const struct script *script, struct display *display, const struct liv
     }
     studio_destroy(live.studio);
     live_input_close(&live.input);
+    live_kiosk_close(&live.kiosk);
     live_picture_finish(&live.picture);
     live_care_finish(&live.care);
     release_signals(live.signals);

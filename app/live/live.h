@@ -4,13 +4,17 @@
 
 #include "display.h"
 #include "engine_choice.h"
+#include "exhibit.h"
 #include "inputs.h"
 #include "program.h"
 #include "script.h"
 
 struct live_def {
     enum engine_kind engine;
-    const char *shaders; /* folder of shader sources, looked at again when they change; NULL: the embedded ones */
+    const char *shaders;     /* folder of shader sources, looked at again when they change; NULL: the embedded ones */
+    struct exhibit *exhibit; /* taken over: a kiosk; NULL: a session */
+    bool open;               /* a kiosk: whatever its schedule says */
+    const char *state;       /* folder that a kiosk may write to; NULL: none */
     const struct inputs *inputs; /* what visitors do; NULL: the default (inputs.h) */
     bool hold;                   /* on a screen: no key reaches the system (source_touch.h) */
     int rotation;                /* of the display, degrees clockwise: fingers turn along */
@@ -24,9 +28,9 @@ struct live_def {
 
 struct live_def live_default_def(void);
 
-/* Shows the session until the window is closed, SIGINT or SIGTERM comes, or the frames are done. What happens is said
- * on stderr, a line each. False when it could not begin, or the last frame not be written, with the reason said. The
- * display stays the caller's. */
+/* Shows the session, or the exhibit whose first scene it is, until the window is closed, SIGINT or SIGTERM comes, or
+ * the frames are done. What happens is said on stderr, a line each. False when it could not begin, or the last frame
+ * not be written, with the reason said. The display stays the caller's. */
 bool live(const struct script *script, struct display *display, const struct live_def *def);
 
 #endif

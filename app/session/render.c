@@ -1,213 +1,116 @@
 #include "render.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include "display.h"
+#include "easel.h"
 #include "history.h"
 #include "image.h"
-#include "limits.h"
-#include "painting_gpu.h"
+#include "journal.h"
+#include "plan.h"
 #include "script_sheet.h"
 #include "stats.h"
 
 /* Everything a session needs while it runs. */
-struct studio {
+struct rendering {
     const struct script *script;
     const struct render_def *def;
-    struct display *display; /* a GL context without a screen, for the engine of the GPU; NULL: none */
+    struct easel easel;
     struct engine *engine;
     struct history *history; /* NULL: nothing is taken back */
-    struct picture *picture;
-    float *planes; /* depth, solvent, mask, inks, and one to spare */
-    uint8_t *rgb;
-    int width, height; /* pixels */
+    struct easel_picture picture;
+    struct journal_writer journal;
     size_t cells;
 };
-
-enum { PLANE_DEPTH, PLANE_SOLVENT, PLANE_MASK, PLANE_INKS, PLANE_SPARE = PLANE_INKS + PAINTING_INKS, PLANES };
 
 struct render_def render_default_def(void)
 {
     return (struct render_def){.every = RENDER_EVERY, .engine = ENGINE_CPU};
 }
 
-/* Whether a file of that name can be made: its folder is there, and it is no folder itself. */
-static bool check_file(const char *path, struct file_error *error)
+static bool open_picture(struct rendering *rendering, struct file_error *error)
 {
-    struct stat status;
-    if (!path) {
+    const struct script *script = rendering->script;
+    const struct render_def *def = rendering->def;
+    if (!def->picture && !def->frames) {
         return true;
     }
-    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) {
-        return file_fail(error, path, "is a folder; the name of a file is needed");
-    }
-    char *folder = strdup(path);
-    char *slash = folder ? strrchr(folder, '/') : NULL;
-    if (slash) {
-        slash[slash == folder] = '\0';
-    }
-    const char *name = slash ? folder : ".";
-    bool good = true;
-    if (stat(name, &status) != 0 || !S_ISDIR(status.st_mode)) {
-        good = file_fail(error, path, "its folder is not there");
-    } else if (access(name, W_OK) != 0) {
-        good = file_fail(error, path, "its folder may not be written to");
-    }
-    free(folder);
-    return good;
+    struct picture_def picture =
+        script_picture(script, def->width ? def->width : script->width, def->height ? def->height : script->height);
+    return easel_frame(&rendering->easel, &rendering->picture, &picture, script->ink_count) ||
+           file_fail(error, "the painting", "memory is short for %dx%d cells and %dx%d pixels", script->width,
+                     script->height, picture.width, picture.height);
 }
 
-static bool make_folder(const char *path, struct file_error *error)
-{
-    struct stat status;
-    if (!path) {
-        return true;
-    }
-    if (mkdir(path, 0777) == 0 || (errno == EEXIST && stat(path, &status) == 0 && S_ISDIR(status.st_mode))) {
-        return true;
-    }
-    return file_fail(error, path, "the folder cannot be made: %s", strerror(errno));
-}
-
-/* A GL context, which the engine of the GPU lives in. */
-static bool open_display(struct studio *studio, struct file_error *error)
-{
-    struct display_def def = display_default_def();
-    struct display_error reason;
-    def.kind = DISPLAY_HEADLESS;
-    def.width = def.height = 16; /* nothing is shown */
-    studio->display = display_create(&def, &reason);
-    return studio->display || file_fail(error, "the GPU", "%s", reason.text);
-}
-
-static bool open_gpu(struct studio *studio, const struct painting_def *def, const struct shader_folder *folder,
-                     struct file_error *error)
-{
-    struct shader_error reason;
-    studio->engine = engine_gpu_create(def, folder, &reason);
-    return studio->engine || file_fail(error, "the GPU", "%s", reason.text);
-}
-
-static bool short_of_memory(const struct studio *studio, struct file_error *error)
-{
-    return file_fail(error, "the painting", "memory is short for %dx%d cells and %dx%d pixels", studio->script->width,
-                     studio->script->height, studio->width, studio->height);
-}
-
-static bool open_engine(struct studio *studio, struct file_error *error)
-{
-    const struct script *script = studio->script;
-    struct painting_def def = script_painting(script);
-    const struct shader_folder shaders = {studio->def->shaders}, *folder = shaders.path ? &shaders : NULL;
-    enum engine_kind kind = studio->def->engine;
-    def.threads = studio->def->threads;
-    def.dense = studio->def->dense;
-    if (kind == ENGINE_AUTO) {
-        char path[1200];
-        bool have = open_display(studio, error);
-        kind = engine_choose(kind, &def, have ? gpu_limits_renderer() : NULL, folder,
-                             engine_choice_path(path, sizeof path) ? path : NULL)
-                   .kind;
-    } else if (kind == ENGINE_GPU && !open_display(studio, error)) {
-        return false;
-    }
-    if (kind == ENGINE_GPU) {
-        return open_gpu(studio, &def, folder, error);
-    }
-    studio->engine = engine_cpu_create(&def);
-    return studio->engine || short_of_memory(studio, error);
-}
-
-static bool open_picture(struct studio *studio)
-{
-    if (!studio->def->picture && !studio->def->frames) {
-        return true;
-    }
-    struct picture_def def = script_picture(studio->script, studio->width, studio->height);
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    long threads = studio->def->threads ? studio->def->threads : processors;
-    def.threads = threads < 1 ? 1 : threads > PICTURE_THREADS_MAX ? PICTURE_THREADS_MAX : (int)threads;
-    studio->picture = picture_create(&def);
-    studio->rgb = malloc((size_t)def.width * (size_t)def.height * 3);
-    studio->planes = malloc(PLANES * studio->cells * sizeof *studio->planes);
-    return studio->picture && studio->rgb && studio->planes;
-}
-
-static float *plane(struct studio *studio, int index)
-{
-    return studio->planes + (size_t)index * studio->cells;
-}
-
-static void read_sum(struct studio *studio, enum painting_field a, enum painting_field b, float *sum)
-{
-    float *spare = plane(studio, PLANE_SPARE);
-    studio->engine->ops->read(studio->engine, a, sum);
-    studio->engine->ops->read(studio->engine, b, spare);
-    for (size_t i = 0; i < studio->cells; i++) {
-        sum[i] += spare[i];
-    }
-}
-
-static bool write_picture(struct studio *studio, const char *path, struct file_error *error)
-{
-    struct picture_planes planes = {.depth = plane(studio, PLANE_DEPTH),
-                                    .solvent = plane(studio, PLANE_SOLVENT),
-                                    .mask = plane(studio, PLANE_MASK)};
-    read_sum(studio, PAINTING_ACTIVE, PAINTING_CARVED, plane(studio, PLANE_DEPTH));
-    studio->engine->ops->read(studio->engine, PAINTING_SOLVENT, plane(studio, PLANE_SOLVENT));
-    studio->engine->ops->read(studio->engine, PAINTING_MASK, plane(studio, PLANE_MASK));
-    for (int i = 0; i < studio->script->ink_count; i++) {
-        float *ink = plane(studio, PLANE_INKS + i);
-        read_sum(studio, (enum painting_field)(PAINTING_WET + i), (enum painting_field)(PAINTING_DRY + i), ink);
-        planes.ink[i] = ink;
-    }
-    picture_draw(studio->picture, &planes, studio->rgb);
-    return image_write_png(path, studio->rgb, studio->width, studio->height, NULL, error);
-}
-
-static bool write_fields(struct studio *studio, const char *path, struct file_error *error)
+static bool write_fields(struct rendering *rendering, const char *path, struct file_error *error)
 {
     const char *names[PAINTING_FIELDS];
     const float *planes[PAINTING_FIELDS];
-    float *values = malloc(PAINTING_FIELDS * studio->cells * sizeof *values);
+    float *values = malloc(PAINTING_FIELDS * rendering->cells * sizeof *values);
     if (!values) {
         return file_fail(error, path, "memory is short for the fields");
     }
     for (int field = 0; field < PAINTING_FIELDS; field++) {
-        float *at = values + (size_t)field * studio->cells;
-        studio->engine->ops->read(studio->engine, (enum painting_field)field, at);
+        float *at = values + (size_t)field * rendering->cells;
+        rendering->engine->ops->read(rendering->engine, (enum painting_field)field, at);
         names[field] = painting_field_name((enum painting_field)field);
         planes[field] = at;
     }
     struct image_def def = image_default_def();
     def.megabytes = 4096; /* our own planes, not a stranger's file */
-    bool good = image_write_exr(path, names, planes, PAINTING_FIELDS, studio->script->width, studio->script->height,
-                                &def, error);
+    bool good = image_write_exr(path, names, planes, PAINTING_FIELDS, rendering->script->width,
+                                rendering->script->height, &def, error);
     free(values);
     return good;
 }
 
-static bool write_frame(struct studio *studio, struct file_error *error)
+static bool write_plan(struct rendering *rendering, const char *path, struct file_error *error)
 {
-    const char *folder = studio->def->frames;
-    int64_t tick = studio->engine->ops->ticks(studio->engine);
-    if (!folder || tick % studio->def->every != 0) {
-        return true;
+    const struct engine_ops *ops = rendering->engine->ops;
+    double paper = rendering->def->paper_mm > 0 ? rendering->def->paper_mm : PLAN_PAPER_MM;
+    float *depth = malloc(2 * rendering->cells * sizeof *depth);
+    char *text = NULL;
+    size_t size;
+    if (depth) {
+        ops->read(rendering->engine, PAINTING_ACTIVE, depth);
+        ops->read(rendering->engine, PAINTING_CARVED, depth + rendering->cells);
+        for (size_t i = 0; i < rendering->cells; i++) {
+            depth[i] += depth[rendering->cells + i];
+        }
+        text = plan_svg(depth, rendering->script->width, rendering->script->height, paper, &size);
     }
-    size_t size = strlen(folder) + 32;
-    char *path = malloc(size);
-    if (!path) {
-        return file_fail(error, folder, "memory is short for a frame");
-    }
-    snprintf(path, size, "%s/%06lld.png", folder, (long long)tick);
-    bool good = write_picture(studio, path, error);
-    free(path);
+    bool good =
+        text ? file_write_atomic(path, text, size, error) : file_fail(error, path, "memory is short for the plan");
+    free(text);
+    free(depth);
     return good;
+}
+
+static bool write_frame(struct rendering *rendering, struct file_error *error)
+{
+    const struct render_def *def = rendering->def;
+    int64_t tick = rendering->engine->ops->ticks(rendering->engine);
+    return !def->frames || tick % def->every != 0 ||
+           easel_write_frame(&rendering->picture, rendering->engine, def->frames, tick, error);
+}
+
+static void begin_journal(struct rendering *rendering)
+{
+    struct journal_head head = {.exhibit_hash = 0};
+    struct painting_def def = script_painting(rendering->script);
+    struct journal_sheet sheet = journal_sheet_of(rendering->script, &def);
+    snprintf(head.version, sizeof head.version, "%s", FROND_VERSION);
+    snprintf(head.engine, sizeof head.engine, "%s", rendering->engine->ops->name);
+    journal_begin(&rendering->journal, &head);
+    journal_sheet(&rendering->journal, 0, &sheet);
+}
+
+static bool write_journal(struct rendering *rendering, const char *path, struct file_error *error)
+{
+    const struct bytes *out = &rendering->journal.out;
+    journal_end(&rendering->journal, rendering->script->ticks);
+    return out->failed ? file_fail(error, path, "memory is short for the journal")
+                       : file_write_atomic(path, out->data, out->size, error);
 }
 
 static bool goes_back(const struct script *script)
@@ -220,39 +123,45 @@ static bool goes_back(const struct script *script)
     return back;
 }
 
-static bool open_history(struct studio *studio)
+static bool open_history(struct rendering *rendering)
 {
-    struct painting_def painting = studio->engine->ops->get_def(studio->engine);
+    struct painting_def painting = rendering->engine->ops->get_def(rendering->engine);
     struct history_def def = history_default_def();
-    studio->history = goes_back(studio->script) ? history_create(&def, &painting) : NULL;
-    return studio->history || !goes_back(studio->script);
+    rendering->history = goes_back(rendering->script) ? history_create(&def, &painting) : NULL;
+    return rendering->history || !goes_back(rendering->script);
 }
 
-static void act(struct studio *studio, const struct action *action)
+static void act(struct rendering *rendering, int64_t tick, const struct action *action)
 {
-    if (studio->history) {
-        history_act(studio->history, studio->engine, action);
+    if (rendering->history) {
+        history_act(rendering->history, rendering->engine, action);
     } else {
-        studio->engine->ops->act(studio->engine, action);
+        rendering->engine->ops->act(rendering->engine, action);
+    }
+    if (rendering->def->journal) {
+        journal_action(&rendering->journal, tick, action);
     }
 }
 
 /* The actions of a tick, then the tick; those of the very last tick too, so that a session can end with one. */
-static bool run_session(struct studio *studio, struct progress *progress, struct file_error *error)
+static bool run_session(struct rendering *rendering, struct progress *progress, struct file_error *error)
 {
-    const struct script *script = studio->script;
+    const struct script *script = rendering->script;
     int next = 0;
     bool good = true;
+    if (rendering->def->journal) {
+        begin_journal(rendering);
+    }
     for (int64_t tick = 0; good && tick <= script->ticks; tick++) {
         for (; next < script->action_count && script->actions[next].tick <= tick; next++) {
-            act(studio, &script->actions[next]);
+            act(rendering, tick, &script->actions[next]);
         }
         if (tick < script->ticks) {
-            if (studio->history) {
-                history_tick(studio->history, studio->engine);
+            if (rendering->history) {
+                history_tick(rendering->history, rendering->engine);
             }
-            studio->engine->ops->tick(studio->engine);
-            good = write_frame(studio, error);
+            rendering->engine->ops->tick(rendering->engine);
+            good = write_frame(rendering, error);
         }
         if (progress) {
             progress_step(progress, tick, script->ticks);
@@ -261,36 +170,40 @@ static bool run_session(struct studio *studio, struct progress *progress, struct
     return good;
 }
 
-static bool write_end(struct studio *studio, struct file_error *error)
+static bool write_end(struct rendering *rendering, struct file_error *error)
 {
-    const struct render_def *def = studio->def;
-    return (!def->fields || write_fields(studio, def->fields, error)) &&
-           (!def->stats || stats_write(def->stats, studio->script, studio->engine, error)) &&
-           (!def->picture || write_picture(studio, def->picture, error));
+    const struct render_def *def = rendering->def;
+    return (!def->journal || write_journal(rendering, def->journal, error)) &&
+           (!def->fields || write_fields(rendering, def->fields, error)) &&
+           (!def->stats || stats_write(def->stats, rendering->script, rendering->engine, error)) &&
+           (!def->svg || write_plan(rendering, def->svg, error)) &&
+           (!def->picture || easel_write(&rendering->picture, rendering->engine, def->picture, error));
 }
 
 bool render(const struct script *script, const struct render_def *def, struct progress *progress,
             struct file_error *error)
 {
-    struct studio studio = {.script = script, .def = def};
-    studio.width = def->width ? def->width : script->width;
-    studio.height = def->height ? def->height : script->height;
-    studio.cells = (size_t)script->width * (size_t)script->height;
-    if (!check_file(def->picture, error) || !check_file(def->fields, error) || !check_file(def->stats, error) ||
-        !make_folder(def->frames, error)) {
+    struct rendering rendering = {.script = script, .def = def};
+    struct painting_def painting = script_painting(script);
+    rendering.cells = (size_t)script->width * (size_t)script->height;
+    rendering.easel.def = (struct easel_def){def->engine, def->shaders, def->threads, def->dense};
+    if (!easel_check_file(def->picture, error) || !easel_check_file(def->fields, error) ||
+        !easel_check_file(def->stats, error) || !easel_check_file(def->journal, error) ||
+        !easel_check_file(def->svg, error) || !easel_make_folder(def->frames, error)) {
         return false;
     }
-    bool good = open_engine(&studio, error) &&
-                ((open_history(&studio) && open_picture(&studio)) || short_of_memory(&studio, error));
-    good = good && run_session(&studio, progress, error) && write_end(&studio, error);
+    rendering.engine = easel_engine(&rendering.easel, &painting, error);
+    bool good =
+        rendering.engine &&
+        (open_history(&rendering) || file_fail(error, "the painting", "memory is short for what is taken back")) &&
+        open_picture(&rendering, error) && run_session(&rendering, progress, error) && write_end(&rendering, error);
     if (progress) {
         progress_end(progress);
     }
-    free(studio.planes);
-    free(studio.rgb);
-    picture_destroy(studio.picture);
-    history_destroy(studio.history);
-    engine_destroy(studio.engine);
-    display_destroy(studio.display);
+    journal_finish(&rendering.journal);
+    easel_unframe(&rendering.picture);
+    history_destroy(rendering.history);
+    engine_destroy(rendering.engine);
+    easel_close(&rendering.easel);
     return good;
 }

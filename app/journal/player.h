@@ -1,0 +1,48 @@
+/* Plays a journal: does again, tick by tick, what was done. On an easel of the CPU engine, to the bit.
+ *
+ *     if (player_open(&player, data, size, &easel, &error)) {
+ *         while (player_tick(&player, &error)) { ... player.engine has painted a tick more ... }
+ *     }
+ *     player_close(&player);
+ */
+#ifndef FROND_PLAYER_H
+#define FROND_PLAYER_H
+
+#include "checkpoint.h"
+#include "easel.h"
+#include "history.h"
+#include "journal.h"
+
+struct player {
+    struct journal_reader reader; /* what it says of the journal, its ending above all */
+    struct easel *easel;
+    struct engine *engine;      /* NULL: before the first sheet */
+    struct journal_sheet sheet; /* now: inks, mode, scene; its def is that of the engine's sheet */
+    int64_t ticked;             /* painted, over all sheets */
+    int64_t last;               /* what `ticked` will be at the end; known from the beginning */
+    int sheets, actions;        /* so far */
+    struct journal_record next; /* what is done next, at next.ticked */
+    bool has_next;
+    /* The inside. */
+    struct history *history; /* NULL: nothing is taken back */
+    bool goes_back, resumed;
+};
+
+/* Reads the journal once, to see how long it is, and takes up its first sheet. False, with the reason in `error`, where
+ * it is no journal or has no sheet. Bytes and easel stay the caller's and must outlive the player. */
+bool player_open(struct player *player, const void *data, size_t size, struct easel *easel, struct file_error *error);
+/* Does what is due, then one tick. False when that was all: what is due last has been done, without a tick after it; or
+ * when it failed, with the reason in `error` (else ""). */
+bool player_tick(struct player *player, struct file_error *error);
+/* Takes up a painting in the middle of its journal instead, to do what came after. What undo, redo and rewind would go
+ * back to is not there: player_tick ends before the first of them, which is `next` then. */
+struct player_place {
+    const struct checkpoint *checkpoint;
+    int64_t ticked;   /* when it was taken */
+    uint64_t records; /* that the journal held then */
+};
+bool player_resume(struct player *player, const void *data, size_t size, const struct player_place *place,
+                   struct easel *easel, struct file_error *error);
+void player_close(struct player *player); /* a zeroed one may be closed */
+
+#endif

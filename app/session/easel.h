@@ -1,0 +1,61 @@
+/* An easel: an engine to paint with, without a display, and the picture of what it has painted. What `frond render` and
+ * `frond replay` share. */
+#ifndef FROND_EASEL_H
+#define FROND_EASEL_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "engine.h"
+#include "engine_choice.h"
+#include "file.h"
+#include "picture.h"
+#include "program.h"
+
+struct display;
+
+struct easel_def {
+    enum engine_kind engine; /* auto: the faster of the two on this machine */
+    const char *shaders;     /* folder of shader sources; NULL: the embedded ones */
+    int threads;             /* of the CPU engine and of pictures; 0: one for each processor */
+    bool dense;              /* nothing sleeps: the same picture, later */
+};
+
+struct easel {
+    struct easel_def def;
+    struct display *display; /* a GL context without a screen, for the engine of the GPU; NULL: none */
+};
+
+/* An engine for this painting, of the kind that the easel stands for; `auto` is decided by the first. NULL with the
+ * reason in `error`. The caller's, to be destroyed before the easel is closed. */
+struct engine *easel_engine(struct easel *easel, const struct painting_def *painting, struct file_error *error);
+void easel_close(struct easel *easel); /* a zeroed one may be closed */
+
+/* A picture of a fixed size in pixels. */
+struct easel_picture {
+    struct picture_def def;
+    int ink_count;
+    struct picture *picture;
+    float *planes; /* of the cells */
+    uint8_t *rgb;  /* def.width * def.height * 3, from the top left; as easel_draw has left it */
+};
+
+/* `def`: as script_picture makes it; its threads are the easel's. `ink_count`: how many of its inks there are. False
+ * when memory is short or the size is out of range. What was open before is closed, with false too. */
+bool easel_frame(const struct easel *easel, struct easel_picture *picture, const struct picture_def *def,
+                 int ink_count);
+void easel_unframe(struct easel_picture *picture); /* a zeroed one may be */
+/* Draws an engine's painting, of the cells that the picture is for. */
+void easel_draw(struct easel_picture *picture, struct engine *engine);
+/* The same into a PNG. */
+bool easel_write(struct easel_picture *picture, struct engine *engine, const char *path, struct file_error *error);
+/* The same into FOLDER/000123.png. */
+bool easel_write_frame(struct easel_picture *picture, struct engine *engine, const char *folder, int64_t number,
+                       struct file_error *error);
+
+/* What can be known to fail before there is anything to write. Whether a file of that name can be made; NULL can. */
+bool easel_check_file(const char *path, struct file_error *error);
+/* Makes a folder, or takes one that is there; NULL is none. */
+bool easel_make_folder(const char *path, struct file_error *error);
+
+#endif
