@@ -36,6 +36,7 @@ struct live {
     struct live_picture picture;
     struct live_care care;
     struct live_input input;
+    struct live_keep painting;
     struct live_kiosk kiosk; /* without an exhibit it does nothing */
     struct shader_folder folder;
     struct engine_choice choice;
@@ -268,6 +269,8 @@ static bool open_studio(struct live *live)
     def.ticks_per_second = live->def->ticks_per_second;
     def.xray = live->def->xray;
     def.once = live->def->once;
+    live_keep_open(&live->painting, live->def->state, live->def->exhibit, live->choice.kind);
+    live_keep_studio(&live->painting, live->def->exhibit, &def);
     live->studio = studio_create(&def, live->display, &error);
     if (!live->studio) {
         say("%s", error.text);
@@ -280,7 +283,7 @@ static bool open_input(struct live *live)
 {
     const struct live_input_def input = {
         .inputs = live->def->inputs, .rotation = live->def->rotation, .hold = live->def->hold};
-    const struct live_kiosk_def def = {live->def->exhibit, live->def->open, live->def->state};
+    const struct live_kiosk_def def = {live->def->exhibit, live->def->open, &live->painting, live->def->state};
     const struct live_status_def status = {.display = live->display,
                                            .studio = live->studio,
                                            .input = &live->input,
@@ -313,6 +316,7 @@ bool live(const struct script *script, struct display *display, const struct liv
         good = write_shot(&live) && good;
     }
     studio_destroy(live.studio);
+    live_keep_close(&live.painting);
     live_input_close(&live.input);
     live_kiosk_close(&live.kiosk);
     live_picture_finish(&live.picture);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "bench.h"
 #include "script_sheet.h"
@@ -44,6 +45,7 @@ static void stage_change(void *context, const struct script *script)
     struct live_kiosk *kiosk = context;
     studio_change(kiosk->status.studio, script);
     kiosk->other = true;
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
 }
 
 static void stage_keep(void *context)
@@ -113,7 +115,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                      const struct shader_folder *folder)
 {
     struct display_size size = display_sheet(status->display);
-    *kiosk = (struct live_kiosk){.status = *status, .picture = picture, .input = input, .state = def->state};
+    *kiosk = (struct live_kiosk){
+        .status = *status, .picture = picture, .input = input, .state = def->state, .painting = def->painting};
     kiosk->input_def = *input_def;
     live_overlay_init(&kiosk->overlay, folder);
     if (!def->exhibit) {
@@ -133,6 +136,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
         return false;
     }
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+    kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
 }
 
@@ -213,6 +218,10 @@ void live_kiosk_run(struct live_kiosk *kiosk)
         live_care_change(kiosk->status.care, script);
         kiosk->other = false;
     }
+    if (kiosk_is_visited(kiosk->kiosk) != kiosk->visited) {
+        kiosk->visited = !kiosk->visited;
+        live_keep_visit(kiosk->painting, kiosk->visited);
+    }
     look_at_file(kiosk);
 }
 
@@ -227,8 +236,17 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
-        gallery_keep(kiosk->gallery, &(struct gallery_picture){
-                                         .rgb = rgb, .width = width, .height = height, .unix_s = (int64_t)time(NULL)});
+        char journal[40];
+        int fd = live_keep_journal(kiosk->painting);
+        snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);
+        gallery_keep(kiosk->gallery, &(struct gallery_picture){.rgb = rgb,
+                                                               .width = width,
+                                                               .height = height,
+                                                               .unix_s = (int64_t)time(NULL),
+                                                               .journal = fd >= 0 ? journal : NULL});
+        if (fd >= 0) {
+            close(fd);
+        }
     }
 }
 
@@ -279,6 +297,9 @@ bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
     if (kiosk->has_line) {
         snprintf(line, (size_t)size, "%s", kiosk->line);
         kiosk->has_line = false;
+        return true;
+    }
+    if (kiosk->kiosk && live_keep_log(kiosk->painting, line, size)) {
         return true;
     }
     return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);

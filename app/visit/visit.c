@@ -309,6 +309,19 @@ void visit_init(struct visit *visit, const struct exhibit *exhibit, uint64_t now
     order(visit, ORDER_ATTRACT, true);
 }
 
+void visit_resume(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us)
+{
+    *visit = (struct visit){.state = VISIT_PAINTING,
+                            .now_us = now_us,
+                            .since_us = now_us,
+                            .input_us = now_us,
+                            .alive_us = now_us,
+                            .painted = true,
+                            .visits = 1};
+    take_times(visit, exhibit);
+    order(visit, ORDER_PALETTE, true);
+}
+
 void visit_reload(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us)
 {
     take_times(visit, exhibit);
