@@ -92,26 +92,12 @@ static void post_drop(struct composer *composer, const struct bloom *bloom, int 
     drop.has_at = true;
     drop.ink = ink;
     drop.radius = drop_radius(bloom) * dice_between(composer->dice, 0.9f, 1.1f);
-    drop.solvent = 12 + 0.6f * share_of_size(bloom);
+    drop.solvent = 2 + 0.11f * share_of_size(bloom); /* it starves at about that size, slowly */
     drop.amount = 15 + (is_swept(composer) ? 0.8f : 0.62f) * share_of_size(bloom);
     drop.edge = EDGE_RAGGED;
     drop.brush = bloom->brush;
     drop.reach = fminf(2.2f * bloom->r + 30, 1024); /* what is swept goes farther than it would */
     post(composer, &drop, tick, (int)seconds(composer, 0.12f));
-}
-
-/* Its growth ends, and ink settles into the tips. */
-static void post_end(struct composer *composer, const struct bloom *bloom, int64_t tick)
-{
-    struct action set = action_default(ACTION_SET);
-    while (&coefficient_keys[set.coefficient] != key_find(coefficient_keys, "s_max")) {
-        set.coefficient++;
-    }
-    set.at = place(composer, bloom->x, bloom->y);
-    set.has_at = true;
-    set.value = 0;
-    set.radius = fminf((is_swept(composer) ? 2.8f : 2.0f) * bloom->r, 512);
-    post(composer, &set, tick, -1);
 }
 
 static struct performance_step *post_ink(struct composer *composer, const struct bloom *bloom, int ink, float share,
@@ -210,9 +196,6 @@ static void post_bloom(struct composer *composer, int i)
         post_pull(composer, bloom, start + (int64_t)(0.5f * (float)takes));
         spare(post_ink(composer, bloom, inks.third, 0.5f * share, start + (int64_t)(0.72f * (float)takes)));
     }
-    if (composer->grown[i] + seconds(composer, REST_S) < composer->end) { /* the last ones go on until all is washed */
-        post_end(composer, bloom, composer->grown[i]);
-    }
 }
 
 static void post_sweep(struct composer *composer, const struct sweep *sweep)
@@ -247,7 +230,7 @@ static void post_splash(struct composer *composer, float x, float y, int64_t tic
         drop.at = place(composer, x, y);
         drop.has_at = true;
         drop.ink = ink;
-        drop.brush = brush; /* else what has ended near it would cut it short */
+        drop.brush = brush;
         drop.reach = SPLASH_REACH;
         drop.radius = radius;
         drop.solvent = 7;

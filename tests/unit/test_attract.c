@@ -372,9 +372,6 @@ static void a_hand_paints(void **state)
             assert_true(!is || (pressed >= 0 && pressed <= 1 && isfinite(at.x) && isfinite(at.y)));
             struct action action;
             while (attract_action(attract, tick, &action)) {
-                if (action.verb == ACTION_SET) { /* nobody's */
-                    continue;
-                }
                 struct point place = action.path.count ? action.path.points[action.path.count - 1] : action.at;
                 assert_true(is);
                 assert_near(at.x, place.x, 0.02);
