@@ -18,6 +18,7 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
     const struct sources_def sources = {.inputs = inputs,
                                         .touch = screen,
                                         .hold = screen && def->hold,
+                                        .console = def->console,
                                         .rotation = def->rotation,
                                         .width = size.width,
                                         .height = size.height};

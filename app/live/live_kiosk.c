@@ -22,13 +22,16 @@ static void say(struct live_kiosk *kiosk, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(kiosk->line, sizeof kiosk->line, format, arguments);
     va_end(arguments);
+    kiosk->level = LOG_LEVEL_INFO;
     kiosk->has_line = true;
 }
 
 static bool stage_post(void *context, const struct action *action, uint64_t event_us)
 {
     struct live_kiosk *kiosk = context;
-    return studio_post_event(kiosk->status.studio, action, event_us);
+    bool posted = studio_post_event(kiosk->status.studio, action, event_us);
+    kiosk->drops += posted && action->verb == ACTION_DROP && action->visitor > 0;
+    return posted;
 }
 
 static void stage_fresh(void *context)
@@ -108,6 +111,16 @@ static bool open_input(struct live_kiosk *kiosk, const struct exhibit *exhibit)
     return good;
 }
 
+/* The exhibit's file is wrong, and why. */
+static void refuse(struct live_kiosk *kiosk, const char *what, const char *report)
+{
+    kiosk_trouble(kiosk->kiosk, report);
+    say(kiosk, "%s:\n%.1100s", what, report);
+    kiosk->level = LOG_LEVEL_WARNING;
+    kiosk->errors++;
+    kiosk->wrong = true;
+}
+
 bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def, const struct live_status_def *status,
                      struct live_picture *picture, struct live_input *input, const struct live_input_def *input_def,
                      const struct shader_folder *folder)
@@ -137,6 +150,9 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
     kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
     if (!kiosk->kiosk || !kiosk->watch) {
         return false;
+    }
+    if (def->trouble) {
+        refuse(kiosk, "the exhibit cannot be shown, and another one stands in for it until it can", def->trouble);
     }
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
     live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
@@ -182,6 +198,8 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     }
     say(kiosk, "%s: taken up %.0f ms after it was changed%s", kiosk_shows(kiosk->kiosk)->path,
         exhibit_watch_ms(kiosk->watch), same ? "" : ", with other inputs");
+    kiosk->reloads++;
+    kiosk->wrong = false;
 }
 
 static void look_at_file(struct live_kiosk *kiosk)
@@ -200,8 +218,7 @@ static void look_at_file(struct live_kiosk *kiosk)
         take_up(kiosk, exhibit);
         break;
     case EXHIBIT_WRONG:
-        kiosk_trouble(kiosk->kiosk, report);
-        say(kiosk, "the exhibit stays as it was:\n%.1100s", report);
+        refuse(kiosk, "the exhibit stays as it was", report);
         free(report);
         break;
     default:
@@ -292,7 +309,7 @@ static void note_visit(struct live_kiosk *kiosk)
     }
 }
 
-bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
+bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size, enum log_level *level)
 {
     if (kiosk->kiosk && !kiosk->has_line) {
         note_visit(kiosk);
@@ -300,8 +317,10 @@ bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
     if (kiosk->has_line) {
         snprintf(line, (size_t)size, "%s", kiosk->line);
         kiosk->has_line = false;
+        *level = kiosk->level;
         return true;
     }
+    *level = LOG_LEVEL_NOTICE;
     if (kiosk->kiosk && live_keep_log(kiosk->painting, line, size)) {
         return true;
     }
