@@ -4,16 +4,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include <unistd.h>
 
-#include "bench.h"
 #include "script_sheet.h"
 
 static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are left to others */
 
-static uint64_t now_us(void)
+static uint64_t now_us(const struct live_kiosk *kiosk)
 {
-    return (uint64_t)(1e6 * bench_wall_s());
+    return live_clock_us(&kiosk->clock);
 }
 
 static void say(struct live_kiosk *kiosk, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -23,13 +22,16 @@ static void say(struct live_kiosk *kiosk, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(kiosk->line, sizeof kiosk->line, format, arguments);
     va_end(arguments);
+    kiosk->level = LOG_LEVEL_INFO;
     kiosk->has_line = true;
 }
 
 static bool stage_post(void *context, const struct action *action, uint64_t event_us)
 {
     struct live_kiosk *kiosk = context;
-    return studio_post_event(kiosk->status.studio, action, event_us);
+    bool posted = studio_post_event(kiosk->status.studio, action, event_us);
+    kiosk->drops += posted && action->verb == ACTION_DROP && action->visitor > 0;
+    return posted;
 }
 
 static void stage_fresh(void *context)
@@ -44,6 +46,7 @@ static void stage_change(void *context, const struct script *script)
     struct live_kiosk *kiosk = context;
     studio_change(kiosk->status.studio, script);
     kiosk->other = true;
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
 }
 
 static void stage_keep(void *context)
@@ -108,13 +111,29 @@ static bool open_input(struct live_kiosk *kiosk, const struct exhibit *exhibit)
     return good;
 }
 
+/* The exhibit's file is wrong, and why. */
+static void refuse(struct live_kiosk *kiosk, const char *what, const char *report)
+{
+    kiosk_trouble(kiosk->kiosk, report);
+    say(kiosk, "%s:\n%.1100s", what, report);
+    kiosk->level = LOG_LEVEL_WARNING;
+    kiosk->errors++;
+    kiosk->wrong = true;
+}
+
 bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def, const struct live_status_def *status,
                      struct live_picture *picture, struct live_input *input, const struct live_input_def *input_def,
                      const struct shader_folder *folder)
 {
     struct display_size size = display_sheet(status->display);
-    *kiosk = (struct live_kiosk){.status = *status, .picture = picture, .input = input, .state = def->state};
+    *kiosk = (struct live_kiosk){.status = *status,
+                                 .picture = picture,
+                                 .input = input,
+                                 .state = def->state,
+                                 .painting = def->painting,
+                                 .clock = def->clock};
     kiosk->input_def = *input_def;
+    kiosk->input_def.clock = def->clock;
     live_overlay_init(&kiosk->overlay, folder);
     if (!def->exhibit) {
         return true;
@@ -123,16 +142,21 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
         .exhibit = def->exhibit,
         .width = size.width > 0 ? size.width : DISPLAY_HEADLESS_WIDTH,
         .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
-        .seed = (uint64_t)time(NULL),
+        .seed = (uint64_t)live_clock_wall(&def->clock),
         .built = FROND_BUILT,
         .open = def->open,
         .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power, stage_sheet, stage_status}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
-    kiosk->kiosk = kiosk_create(&kiosk_def, now_us());
+    kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
     if (!kiosk->kiosk || !kiosk->watch) {
         return false;
     }
+    if (def->trouble) {
+        refuse(kiosk, "the exhibit cannot be shown, and another one stands in for it until it can", def->trouble);
+    }
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+    kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
 }
 
@@ -162,7 +186,7 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     live_kiosk_fit(exhibit, size.width, size.height);
     kiosk_trouble(kiosk->kiosk, NULL);
     bool same = same_hands(kiosk_shows(kiosk->kiosk), exhibit);
-    kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us());
+    kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
     if (same) { /* the inputs in use become the new exhibit's */
         struct inputs *inputs = exhibit->inputs;
@@ -174,6 +198,8 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     }
     say(kiosk, "%s: taken up %.0f ms after it was changed%s", kiosk_shows(kiosk->kiosk)->path,
         exhibit_watch_ms(kiosk->watch), same ? "" : ", with other inputs");
+    kiosk->reloads++;
+    kiosk->wrong = false;
 }
 
 static void look_at_file(struct live_kiosk *kiosk)
@@ -187,13 +213,12 @@ static void look_at_file(struct live_kiosk *kiosk)
         }
         return;
     }
-    switch (exhibit_watch_news(kiosk->watch, now_us(), &exhibit, &report)) {
+    switch (exhibit_watch_news(kiosk->watch, now_us(kiosk), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
     case EXHIBIT_READ:
         take_up(kiosk, exhibit);
         break;
     case EXHIBIT_WRONG:
-        kiosk_trouble(kiosk->kiosk, report);
-        say(kiosk, "the exhibit stays as it was:\n%.1100s", report);
+        refuse(kiosk, "the exhibit stays as it was", report);
         free(report);
         break;
     default:
@@ -207,18 +232,22 @@ void live_kiosk_run(struct live_kiosk *kiosk)
         return;
     }
     const struct script *script = kiosk_scene(kiosk->kiosk)->script;
-    kiosk_run(kiosk->kiosk, now_us(), time(NULL));
+    kiosk_run(kiosk->kiosk, now_us(kiosk), live_clock_wall(&kiosk->clock));
     if (kiosk->other && studio_script(kiosk->status.studio) == script) {
         live_picture_change(kiosk->picture, script);
         live_care_change(kiosk->status.care, script);
         kiosk->other = false;
+    }
+    if (kiosk_is_visited(kiosk->kiosk) != kiosk->visited) {
+        kiosk->visited = !kiosk->visited;
+        live_keep_visit(kiosk->painting, kiosk->visited);
     }
     look_at_file(kiosk);
 }
 
 bool live_kiosk_changed(struct live_kiosk *kiosk)
 {
-    return kiosk->kiosk && kiosk_look(kiosk->kiosk, now_us())->changed;
+    return kiosk->kiosk && kiosk_look(kiosk->kiosk, now_us(kiosk))->changed;
 }
 
 static void keep(struct live_kiosk *kiosk)
@@ -227,8 +256,17 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
-        gallery_keep(kiosk->gallery, &(struct gallery_picture){
-                                         .rgb = rgb, .width = width, .height = height, .unix_s = (int64_t)time(NULL)});
+        char journal[40];
+        int fd = live_keep_journal(kiosk->painting);
+        snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);
+        gallery_keep(kiosk->gallery, &(struct gallery_picture){.rgb = rgb,
+                                                               .width = width,
+                                                               .height = height,
+                                                               .unix_s = (int64_t)live_clock_wall(&kiosk->clock),
+                                                               .journal = fd >= 0 ? journal : NULL});
+        if (fd >= 0) {
+            close(fd);
+        }
     }
 }
 
@@ -240,7 +278,7 @@ bool live_kiosk_draw(struct live_kiosk *kiosk, struct shader_error *error)
     if (kiosk->keep) {
         keep(kiosk);
     }
-    return live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us()), error);
+    return live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us(kiosk)), error);
 }
 
 void live_kiosk_lost(struct live_kiosk *kiosk)
@@ -250,7 +288,7 @@ void live_kiosk_lost(struct live_kiosk *kiosk)
 
 int live_kiosk_wait_ms(const struct live_kiosk *kiosk, int most)
 {
-    return kiosk->kiosk ? kiosk_timeout_ms(kiosk->kiosk, now_us(), most) : most;
+    return kiosk->kiosk ? kiosk_timeout_ms(kiosk->kiosk, now_us(kiosk), most) : most;
 }
 
 bool live_kiosk_leaves(const struct live_kiosk *kiosk)
@@ -271,7 +309,7 @@ static void note_visit(struct live_kiosk *kiosk)
     }
 }
 
-bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
+bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size, enum log_level *level)
 {
     if (kiosk->kiosk && !kiosk->has_line) {
         note_visit(kiosk);
@@ -279,6 +317,11 @@ bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
     if (kiosk->has_line) {
         snprintf(line, (size_t)size, "%s", kiosk->line);
         kiosk->has_line = false;
+        *level = kiosk->level;
+        return true;
+    }
+    *level = LOG_LEVEL_NOTICE;
+    if (kiosk->kiosk && live_keep_log(kiosk->painting, line, size)) {
         return true;
     }
     return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);
