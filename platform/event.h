@@ -7,13 +7,15 @@
 
 enum event_kind {
     EVENT_NONE,
-    EVENT_DOWN,    /* a finger, or the button of a mouse, goes down at x, y */
-    EVENT_MOVE,    /* it moves while it is down */
-    EVENT_UP,      /* it leaves */
-    EVENT_CANCEL,  /* it was no finger after all: what it began is taken back */
-    EVENT_CONTROL, /* a control has another value: a button, an axis, a dial, a line, a key */
-    EVENT_ARRIVED, /* a device is there */
-    EVENT_LEFT,    /* it is gone; whatever it held down has been released by events before this one */
+    EVENT_DOWN,     /* a finger, or the button of a mouse, goes down at x, y */
+    EVENT_MOVE,     /* it moves while it is down */
+    EVENT_UP,       /* it leaves */
+    EVENT_CANCEL,   /* it was no finger after all: what it began is taken back */
+    EVENT_CONTROL,  /* a control has another value: a button, an axis, a dial, a line, a key */
+    EVENT_STANDING, /* a line is on as its device arrives: nobody has pressed it just now, but a key switch may be
+                       turned */
+    EVENT_ARRIVED,  /* a device is there */
+    EVENT_LEFT,     /* it is gone; whatever it held down has been released by events before this one */
 };
 
 enum event_source { SOURCE_WINDOW, SOURCE_TOUCH, SOURCE_KEY, SOURCE_HID, SOURCE_GPIO, SOURCE_FAKE };

@@ -26,7 +26,7 @@ struct pending {
 
 struct button {
     struct debounce debounce;
-    bool down; /* as told: one that is held from the start is not */
+    bool down; /* as told */
     bool said; /* that it does not come to rest */
 };
 
@@ -76,15 +76,26 @@ static uint32_t device_of(const struct source_gpio *gpio, int line)
     return gpio->bank.chips[gpio->bank.lines[line].place].device;
 }
 
-static void post_control(struct source_gpio *gpio, int control, int line, uint64_t time_us, bool relative, int value)
+/* Of a button: its number is that of its line. */
+static void post_line(struct source_gpio *gpio, enum event_kind kind, int line, uint64_t time_us, bool down)
+{
+    source_post(&gpio->queue, &(struct event){.kind = kind,
+                                              .source = SOURCE_GPIO,
+                                              .time_us = time_us,
+                                              .device = device_of(gpio, line),
+                                              .control = (uint32_t)line,
+                                              .value = down});
+}
+
+static void post_steps(struct source_gpio *gpio, int control, int line, uint64_t time_us, int steps)
 {
     source_post(&gpio->queue, &(struct event){.kind = EVENT_CONTROL,
                                               .source = SOURCE_GPIO,
                                               .time_us = time_us,
                                               .device = device_of(gpio, line),
                                               .control = (uint32_t)control,
-                                              .relative = relative,
-                                              .value = (float)value});
+                                              .relative = true,
+                                              .value = (float)steps});
 }
 
 static void tell_button(struct source_gpio *gpio, int number, const struct transition *transition)
@@ -92,7 +103,7 @@ static void tell_button(struct source_gpio *gpio, int number, const struct trans
     struct button *button = &gpio->buttons[number];
     if (transition->level != button->down) {
         button->down = transition->level;
-        post_control(gpio, number, number, transition->time_us, false, transition->level);
+        post_line(gpio, EVENT_CONTROL, number, transition->time_us, transition->level);
     }
 }
 
@@ -105,7 +116,7 @@ static void move_knob(struct source_gpio *gpio, int number, uint64_t time_us)
     }
     int detents = encoder_levels(&knob->encoder, time_us, gpio->bank.lines[a].level, gpio->bank.lines[a + 1].level);
     if (detents != 0) {
-        post_control(gpio, gpio->button_count + number, a, time_us, true, knob->reversed ? -detents : detents);
+        post_steps(gpio, gpio->button_count + number, a, time_us, knob->reversed ? -detents : detents);
     }
     if (!knob->said && knob->encoder.errors >= ENCODER_ERRORS &&
         knob->encoder.errors * 10 >= knob->encoder.transitions) {
@@ -242,7 +253,7 @@ static void lose_line(struct source_gpio *gpio, int line)
     if (line < gpio->button_count) {
         struct button *button = &gpio->buttons[line];
         if (button->down) {
-            post_control(gpio, line, line, now_of(gpio), false, 0);
+            post_line(gpio, EVENT_CONTROL, line, now_of(gpio), false);
         }
         *button = (struct button){.down = false};
     } else if (line < lamp_line(gpio, 0)) {
@@ -256,8 +267,11 @@ static void start_line(struct source_gpio *gpio, int number)
     if (number < gpio->button_count) {
         struct button *button = &gpio->buttons[number];
         uint32_t settle_us = gpio->bank.ops->debounced(line->line) ? 0 : line->request.debounce_us;
-        *button = (struct button){.down = false};
+        *button = (struct button){.down = line->level};
         debounce_init(&button->debounce, settle_us, line->level);
+        if (line->level) {
+            post_line(gpio, EVENT_STANDING, number, now_of(gpio), true);
+        }
         return;
     }
     if (number >= lamp_line(gpio, 0)) {

@@ -3,7 +3,7 @@
  * Controls of its events: button i of the definition is control i, encoder i is control button_count + i. A button's
  * value is 1 when it goes down and 0 when it comes up again; an encoder's is relative, in detents, clockwise positive
  * (A before B). Times are those of the interrupt; a debounced button has the time of its first contact. A button that
- * is held down when its line is taken says nothing until it has been let go.
+ * is down when its line is taken says so once, as EVENT_STANDING: it is no press, but a key switch may be turned.
  *
  * Chips and lines may be missing, taken or forbidden: that is said once in the log and in the trouble of devices(), and
  * tried again every second. A chip that leaves, or whose lines no longer answer, releases its buttons first.

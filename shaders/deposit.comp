@@ -22,6 +22,7 @@ layout(binding = 0) uniform highp sampler2D deposit; // cover, seed; DEPOSIT_COL
 layout(location = 2) uniform ivec4 part;      // x0, x1, y0, y1
 layout(location = 3) uniform ivec4 lies;      // first tile, x and y; verb; ink
 layout(location = 4) uniform vec3 laid;       // solvent, amount, carved ground
+layout(location = 5) uniform vec3 water;      // flow, of length 1; strength
 
 // Verbs, in the order of enum action_verb.
 const int DROP = 0;
@@ -31,6 +32,7 @@ const int DRAW = 3;
 const int POUR = 5;
 const int DRY_OUT = 8;
 const int WET_AGAIN = 9;
+const int RINSE = 10;
 
 const int DEPOSIT_COLUMNS = 1024;
 const int INKS = 4;
@@ -150,6 +152,59 @@ void wet_again(int word, float cover)
     }
 }
 
+// sim/rinse.h.
+const float RINSE_OVER = 0.97;
+const float RINSE_FILM = 0.4;
+const float RINSE_WATER = 0.5;
+const float RINSE_SPEED = 0.7;
+const vec2 ALONG[9] = vec2[9](vec2(0.0), vec2(1.0, 0.0), vec2(0.0, 1.0), vec2(-1.0, 0.0), vec2(0.0, -1.0),
+                              vec2(1.0, 1.0), vec2(-1.0, 1.0), vec2(-1.0, -1.0), vec2(1.0, -1.0));
+
+float scale_liquid(int first, int word, float stays)
+{
+    float density = 0.0;
+    for (int i = 0; i < 9; i++) {
+        int at = (first + i) * planes.w + word;
+        density += fluid[at];
+        fluid[at] *= stays;
+    }
+    return density * (1.0 - stays);
+}
+
+void add_water(int word, float comes, vec2 u)
+{
+    for (int i = 0; i < 9; i++) {
+        float e_u = dot(ALONG[i], u);
+        float population = 1.0 - 1.5 * (RINSE_SPEED * RINSE_SPEED) + e_u * (3.0 + 4.5 * e_u);
+        fluid[(INK + i) * planes.w + word] += comes * (RINSE_WATER * WEIGHTS[i] * population);
+    }
+}
+
+vec2 rinse(int word, float phase, float turn)
+{
+    float comes = smoothstep(0.0, 0.15, phase), goes = smoothstep(0.2, 0.85, phase);
+    float last = smoothstep(0.75, RINSE_OVER, phase);
+    float wets = min(3.0 * water.z * comes, 1.0), drains = phase < RINSE_OVER ? last * last : 1.0;
+    float thins = min(water.z * (0.1 * comes + 0.9 * goes) + drains, 1.0);
+    float keeps = 1.0 - drains, stays = (1.0 - wets) * keeps;
+    vec2 flow = water.xy + turn * vec2(-water.y, water.x);
+    vec2 gone = vec2(scale_liquid(SOLVENT, word, stays), scale_liquid(INK, word, stays));
+    add_water(word, wets * keeps, flow * (RINSE_SPEED / length(flow)));
+    int density = DENSITY * planes.w + word;
+    sheet[density] = floatBitsToUint(uintBitsToFloat(sheet[density]) * stays);
+    for (int i = 0; i < INKS; i++) {
+        int wet = (WET + i) * planes.w + word, dry = (DRY + i) * planes.w + word;
+        float was = uintBitsToFloat(sheet[dry]);
+        fluid[wet] = (1.0 - thins) * fluid[wet] + (keeps * was - stays * was);
+        sheet[dry] = floatBitsToUint(stays * was);
+    }
+    pattern[ACTIVE * planes.w + word] *= stays;
+    int carved = CARVED * planes.w + word, catalyst = CATALYST * planes.w + word;
+    pattern[carved] = stays * pattern[carved] + wets * keeps * RINSE_FILM;
+    pattern[catalyst] = 1.0 - stays * (1.0 - pattern[catalyst]);
+    return gone;
+}
+
 // What leaves the sheet: solvent, ink.
 vec2 lay(int word, float cover, float seed)
 {
@@ -174,6 +229,8 @@ vec2 lay(int word, float cover, float seed)
         return dry_out(word, cover);
     } else if (verb == WET_AGAIN) {
         wet_again(word, cover);
+    } else if (verb == RINSE) {
+        return rinse(word, cover, seed);
     }
     return vec2(0.0);
 }
@@ -207,7 +264,7 @@ void main()
             gone += lay(word_of(cell), here.x, here.y);
         }
     }
-    if (lies.z == POUR || lies.z == DRY_OUT) {
+    if (lies.z == POUR || lies.z == DRY_OUT || lies.z == RINSE) {
         note_taken(tile.y * tile_counts.x + tile.x, int(gl_LocalInvocationIndex), gone);
     }
 }

@@ -152,6 +152,7 @@ static void apply_part(struct painting_gpu *gpu)
     glUniform4i(2, part.x0, part.x1, part.y0, part.y1);
     glUniform4i(3, left, top, (int)deposit->verb, deposit->ink);
     glUniform3f(4, deposit->solvent, deposit->amount, DEPOSIT_CARVED);
+    glUniform3f(5, deposit->water.flow.x, deposit->water.flow.y, deposit->action.strength);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu_buffer_now(gpu, BUFFER_FLUID));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, gpu_buffer_now(gpu, BUFFER_PATTERN));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, gpu->sheet);
@@ -171,7 +172,7 @@ static void lay(struct painting_gpu *gpu, const struct action *action)
         return;
     }
     bool brings_liquid = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_SOLVENT ||
-                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET;
+                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET || action->verb == ACTION_RINSE;
     if (brings_liquid) {
         gpu_steps_mark(gpu, deposit->cells, BIT_WET);
     }

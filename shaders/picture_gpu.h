@@ -8,6 +8,8 @@
 #ifndef FROND_PICTURE_GPU_H
 #define FROND_PICTURE_GPU_H
 
+#include <stdint.h>
+
 #include "fields.h"
 #include "picture.h"
 #include "program.h"
@@ -29,7 +31,14 @@ bool picture_gpu_shade(struct picture_gpu *picture, const struct fields *fields)
  * the sizes agree, else stretched. A read and a write a pixel. */
 void picture_gpu_present(const struct picture_gpu *picture, unsigned framebuffer, int panel_width, int panel_height,
                          const float turn[4]);
-/* Both. */
+/* Keeps the last picture beside those to come, to be faded out over them. False when GL has no memory. */
+bool picture_gpu_hold(struct picture_gpu *picture);
+/* Lays the picture that is held over a framebuffer, as picture_gpu_present; nothing where none is held. */
+void picture_gpu_present_held(const struct picture_gpu *picture, float opacity, unsigned framebuffer, int panel_width,
+                              int panel_height, const float turn[4]);
+/* The last picture: width * height * 3 bytes of sRGB from the top left. Waits for the GPU. False: memory is short. */
+bool picture_gpu_capture(const struct picture_gpu *picture, uint8_t *rgb);
+/* picture_gpu_shade and picture_gpu_present. */
 bool picture_gpu_draw(struct picture_gpu *picture, const struct fields *fields, unsigned framebuffer, int panel_width,
                       int panel_height, const float turn[4]);
 /* The next picture takes the tone that it finds (picture_def.follow): for a new painting. */

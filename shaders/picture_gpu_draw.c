@@ -176,14 +176,6 @@ bool picture_gpu_shade(struct picture_gpu *picture, const struct fields *fields)
     return true;
 }
 
-void picture_gpu_present(const struct picture_gpu *picture, unsigned framebuffer, int panel_width, int panel_height,
-                         const float turn[4])
-{
-    struct show show = {picture->program[PASS_SHOW], picture->texture[PICTURE_SHEET], picture->def.width,
-                        picture->def.height};
-    show_sheet(&show, framebuffer, panel_width, panel_height, turn);
-}
-
 bool picture_gpu_draw(struct picture_gpu *picture, const struct fields *fields, unsigned framebuffer, int panel_width,
                       int panel_height, const float turn[4])
 {

@@ -1,7 +1,8 @@
 /* What the parts of the picture on the GPU share. Private to picture_gpu*.c.
  *   picture_gpu.c         life, programs
  *   picture_gpu_tables.c  textures: what is made once from the definition, and what the passes leave for one another
- *   picture_gpu_draw.c    the passes, and the way to the panel */
+ *   picture_gpu_draw.c    the passes
+ *   picture_gpu_still.c   a finished picture: to the panel, held, read back */
 #ifndef FROND_PICTURE_GPU_STATE_H
 #define FROND_PICTURE_GPU_STATE_H
 
@@ -37,6 +38,7 @@ enum picture_texture {
     PICTURE_STREAKS,
     PICTURE_LATTICE, /* 0 where inks mix by CMY */
     PICTURE_SHEET,   /* the picture */
+    PICTURE_HELD,    /* an older one; 0 until one is held */
     PICTURE_TEXTURES,
 };
 

@@ -31,7 +31,13 @@ void show_sheet(const struct show *show, unsigned framebuffer, int panel_width, 
     glUniform2i(1, show->width, show->height);
     glUniformMatrix2fv(2, 1, GL_FALSE, turn);
     glUniform1i(3, exact);
+    glUniform1f(4, show->opacity);
+    if (show->opacity < 1) {
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    }
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, show->texture);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
 }

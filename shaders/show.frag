@@ -3,6 +3,7 @@ layout(location = 0) uniform ivec2 panel;
 layout(location = 1) uniform ivec2 size; // of the sheet, pixels
 layout(location = 2) uniform mat2 turn;  // from the sheet's clip coordinates to the panel's
 layout(location = 3) uniform bool exact;
+layout(location = 4) uniform float opacity;
 
 layout(binding = 0) uniform sampler2D sheet; // row 0 at the top
 
@@ -17,4 +18,5 @@ void main()
     } else {
         colour = texture(sheet, at);
     }
+    colour.a = opacity;
 }

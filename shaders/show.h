@@ -10,6 +10,7 @@ unsigned show_program(const struct shader_folder *folder, struct shader_error *e
 struct show {
     unsigned program, texture;
     int width, height; /* pixels of the texture */
+    float opacity;     /* 1: it covers what was there */
 };
 /* Onto all of a framebuffer of panel_width x panel_height pixels; `turn` as picture_gpu_present. */
 void show_sheet(const struct show *show, unsigned framebuffer, int panel_width, int panel_height, const float turn[4]);

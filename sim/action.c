@@ -122,6 +122,19 @@ static const struct key WET[] = {
     NUMBER(amount, "share", 0, 1, 1, "Share of the dry pigment that loosens."),
     END,
 };
+static const struct key RINSE[] = {
+    AT(false, "Middle of a disc of water; not with a path."),
+    {"path", KEY_PATH, "0..1 of the sheet", -2, 3, 0, NULL, FIELD(path), false,
+     "The front of the water, from one side of the sheet to the other; it may lie beyond the sheet."},
+    {"flow", KEY_POINT, "", -1, 1, 0, NULL, FIELD(flow), false,
+     "Where the water runs: [1, 0] is to the right; down if left out."},
+    RADIUS(30, "Radius of the disc."),
+    NUMBER(reach, "share of the sheet", 0.02, 1, 0.35,
+           "With a path: how far the water stands behind its front, along the flow."),
+    NUMBER(strength, "share", 0, 1, 0.1, "What of the ink under it goes in a tick."),
+    NUMBER(vary, "share", 0, 1, 0.3, "With a path: how ragged the front is, of its reach."),
+    END,
+};
 static const struct key SET[] = {
     {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, FIELD(coefficient), true, "The coefficient to set."},
     VALUE(value, "Its value; must lie in the coefficient's own range."),
@@ -159,6 +172,7 @@ static const struct {
     [ACTION_UNMASK] = {"unmask", "Takes obstacles away; all of them where no region is given.", UNMASK},
     [ACTION_DRY] = {"dry", "Dries pigment, solvent and ink at once.", DRY},
     [ACTION_WET] = {"wet", "Loosens dry pigment and wets the pattern.", WET},
+    [ACTION_RINSE] = {"rinse", "Running water: ink smears along and leaves, what has grown dissolves.", RINSE},
     [ACTION_SET] = {"set", "Sets a coefficient, everywhere, in a disc, or varying over the sheet.", SET},
     [ACTION_CLEAR] = {"clear", "A fresh sheet.", CLEAR},
     [ACTION_UNDO] = {"undo", "Takes back what a visitor did last.", UNDO},
@@ -197,6 +211,11 @@ struct action action_default(enum action_verb verb)
     return action;
 }
 
+static float legal_flow(float flow)
+{
+    return flow >= -1.0f && flow <= 1.0f ? flow : flow > 1.0f ? 1.0f : flow < -1.0f ? -1.0f : 0.0f;
+}
+
 static float legal_position(float position)
 {
     return position >= 0.0f && position <= 1.0f ? position : position > 1.0f ? 1.0f : 0.0f;
@@ -217,6 +236,8 @@ struct action action_legal(const struct action *action)
     }
     legal.at.x = legal_position(legal.at.x);
     legal.at.y = legal_position(legal.at.y);
+    legal.flow.x = legal_flow(legal.flow.x);
+    legal.flow.y = legal_flow(legal.flow.y);
     legal.ink = legal.ink < 0 || legal.ink >= INKS ? 0 : legal.ink;
     for (int i = 0; legal.brush != BRUSH_NONE && i <= legal.brush; i++) {
         if (legal.brush < 0 || !brushes[i].name) {

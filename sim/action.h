@@ -37,6 +37,7 @@ enum action_verb {
     ACTION_UNMASK,        /* takes obstacles away */
     ACTION_DRY,           /* wet pigment and liquid dry at once */
     ACTION_WET,           /* dry pigment loosens and solvent comes (section 5.3) */
+    ACTION_RINSE,         /* running water: ink smears along and leaves, what has grown dissolves */
     ACTION_SET,           /* a coefficient, everywhere or varying over the sheet (figure 1) */
     ACTION_CLEAR,         /* a fresh sheet; coefficients set for the whole sheet stay */
     ACTION_UNDO,          /* takes back what a visitor did last; engines leave these three to sim/history.h */
@@ -67,6 +68,7 @@ struct action {
     enum action_verb verb;
     int visitor; /* who does it: 0 nobody or the script, 1.. a visitor; undo and redo of 0: whoever acted last */
     struct point at;
+    struct point flow; /* where water runs, any length; 0, 0: down */
     bool has_at;
     struct action_path path;
     struct action_raster formula, picture;

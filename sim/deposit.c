@@ -58,10 +58,10 @@ static float pour_cell(const struct deposit *deposit, int x, int y, float *seed)
 
 static bool heeds_obstacles(enum action_verb verb)
 {
-    return verb != ACTION_DRAW && verb != ACTION_POUR && verb != ACTION_DRY;
+    return verb != ACTION_DRAW && verb != ACTION_POUR && verb != ACTION_DRY && verb != ACTION_RINSE;
 }
 
-static float cell_of(const struct deposit *deposit, int x, int y, float *seed)
+static float cell_of(struct deposit *deposit, int x, int y, float *seed)
 {
     switch (deposit->verb) {
     case ACTION_DROP:
@@ -72,6 +72,8 @@ static float cell_of(const struct deposit *deposit, int x, int y, float *seed)
         return pour_cell(deposit, x, y, seed);
     case ACTION_DRY:
         return region_holds(&deposit->region, x, y) ? deposit->amount : 0.0f;
+    case ACTION_RINSE:
+        return rinse_phase(&deposit->water, x, y, seed);
     default:
         return region_holds(&deposit->region, x, y) ? 1.0f : 0.0f;
     }
@@ -98,6 +100,8 @@ static struct rectangle bounds(struct deposit *deposit)
     case ACTION_DRY:
     case ACTION_WET:
         return deposit->region.cells;
+    case ACTION_RINSE:
+        return deposit->water.cells;
     default:
         return (struct rectangle){0, 0, 0, 0};
     }
@@ -112,6 +116,9 @@ void deposit_begin(struct deposit *deposit, const struct ground *ground, const s
     deposit->ground = ground;
     deposit->action = *action;
     deposit->region = region_of(&ground->def, &deposit->action);
+    if (action->verb == ACTION_RINSE) {
+        rinse_begin(&deposit->water, &ground->def, &deposit->action);
+    }
     deposit->cells = rectangle_clip(bounds(deposit), ground->width, ground->height);
     deposit->part = deposit->cells;
     deposit->part.y1 = deposit->part.y0;

@@ -9,10 +9,11 @@
  *     pour          cover > 0: fresh ground, everything on it gone; else rho_a = max(rho_a, seed) if rho_p > .1
  *     dry           the share `cover` of solvent, ink and wet pigment dries or leaves
  *     wet           solvent comes, if carved: cover * solvent; the share `amount` of dry pigment loosens
+ *     rinse         as rinse.h says: cover is the phase of the water, seed the turn of its flow
  *
  * Carved is rho_a + rho_p > .1. Ink comes with pigment, which blends by mass. Cells under an obstacle are left out,
- * but by draw, pour and dry. A deposit comes in parts of whole rows, so that the largest takes no more room than the
- * smallest:
+ * but by draw, pour, dry and rinse. A deposit comes in parts of whole rows, so that the largest takes no more room than
+ * the smallest:
  *
  *     deposit_begin(&deposit, ground, &action);
  *     while (deposit_next(&deposit)) {
@@ -23,6 +24,7 @@
 
 #include "ground.h"
 #include "region.h"
+#include "rinse.h"
 
 enum { DEPOSIT_CELLS = 1 << 15 }; /* of a part at most: seven rows of the widest sheet */
 
@@ -35,11 +37,12 @@ struct deposit {
     struct rectangle cells; /* of all parts, on the sheet; empty when the verb lays nothing */
     struct rectangle part;  /* of this part */
     float *cover;           /* [part rows][part columns], 0..1; owned */
-    float *seed;            /* as many; only drop and pour have any: else as it was */
+    float *seed;            /* as many; only drop, pour and rinse have any: else as it was */
     const struct ground *ground;
     struct action action; /* its rasters and path stay with the caller until the last part */
     struct region region;
-    int x, y; /* cell that a drop falls on */
+    struct rinse water; /* of a rinse */
+    int x, y;           /* cell that a drop falls on */
 };
 
 /* Room for one part; false when memory is short. deposit_finish takes a zeroed one. */

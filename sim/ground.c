@@ -7,6 +7,7 @@
 #include "brush.h"
 #include "memory.h"
 #include "region.h"
+#include "rinse.h"
 
 int ground_stride(int width)
 {
@@ -197,6 +198,25 @@ static struct rectangle clear(struct ground *ground)
     return (struct rectangle){0, ground->width, 0, ground->height};
 }
 
+/* Under the last of the water. */
+static struct rectangle rinse(struct ground *ground, const struct action *action)
+{
+    struct rectangle changed = {ground->width, 0, ground->height, 0};
+    struct rinse water;
+    rinse_begin(&water, &ground->def, action);
+    for (int y = water.over.y0; y < water.over.y1; y++) {
+        for (int x = water.over.x0; x < water.over.x1; x++) {
+            if (rinse_is_over(&water, x, y) && ground_fresh_cell(ground, x, y)) {
+                changed.x0 = x < changed.x0 ? x : changed.x0;
+                changed.x1 = x >= changed.x1 ? x + 1 : changed.x1;
+                changed.y0 = y < changed.y0 ? y : changed.y0;
+                changed.y1 = y + 1;
+            }
+        }
+    }
+    return changed;
+}
+
 struct rectangle ground_act(struct ground *ground, const struct action *action)
 {
     struct rectangle nothing = {0, 0, 0, 0};
@@ -215,6 +235,8 @@ struct rectangle ground_act(struct ground *ground, const struct action *action)
         return each_cell(ground, action, act_mask);
     case ACTION_UNMASK:
         return each_cell(ground, action, act_unmask);
+    case ACTION_RINSE:
+        return rinse(ground, action);
     case ACTION_SET:
         return ground_set(ground, action);
     case ACTION_CLEAR:

@@ -51,6 +51,8 @@ float ground_value(const struct ground *ground, enum painting_field field, int x
 
 /* Maps from the coefficients of now, everywhere; forgets all stamps. */
 void ground_fill(struct ground *ground);
+/* The same for one cell, which loses its obstacles and guidance as well. Returns whether it was different. */
+bool ground_fresh_cell(struct ground *ground, int x, int y);
 /* The cell that a drop falls on: every drop covers the same cells around it. */
 void ground_cell_of(const struct ground *ground, struct point at, int *x, int *y);
 /* Whether any cell of a rectangle has an obstacle or guidance; a part of it beyond the sheet has none. */

@@ -77,6 +77,28 @@ void ground_fill(struct ground *ground)
     }
 }
 
+bool ground_fresh_cell(struct ground *ground, int x, int y)
+{
+    const struct coefficients *c = &ground->def.coefficients;
+    struct local local = {c->alpha_a, c->alpha_y, c->beta_a, c->s_max, 1.0f, isotropic_weight(c, c->alpha_a)};
+    uint16_t before[MAPS], *stamped = ground_stamped(ground, y) + x;
+    uint8_t *obstacle = ground_obstacle(ground, y) + x, weight = ground_weight(ground, y)[x];
+    int16_t *guide_x = ground_guide(ground, 0, y) + x, *guide_y = ground_guide(ground, 1, y) + x;
+    bool changed = *stamped != GROUND_NEVER_STAMPED || *obstacle || *guide_x || *guide_y;
+    for (int map = 0; map < MAPS; map++) {
+        before[map] = ground_map(ground, (enum map)map, y)[x];
+    }
+    local.xi = xi_at(ground, x, y, c->xi0, c->noise);
+    write_local(ground, x, y, &local);
+    *stamped = GROUND_NEVER_STAMPED;
+    *obstacle = 0;
+    *guide_x = *guide_y = 0;
+    for (int map = 0; map < MAPS; map++) {
+        changed |= before[map] != ground_map(ground, (enum map)map, y)[x];
+    }
+    return changed || weight != ground_weight(ground, y)[x];
+}
+
 uint16_t ground_fresh_xi(const struct ground *ground, int x, int y)
 {
     const struct coefficients *c = &ground->def.coefficients;

@@ -1,5 +1,7 @@
 #include "history_restore.h"
 
+#include "deposit.h"
+
 /* Under an obstacle that stays nothing changes: liquid would be caught there. */
 static void spare_obstacles(const struct history *history, int tile, struct plan *plan)
 {
@@ -57,12 +59,32 @@ void restoring_run(struct restoring *restoring, struct rectangle cells)
     }
 }
 
+/* Old and new blend where both are carved. Elsewhere a cell is the one or the other: the last trace of a growth on bare
+ * wet ground would grow into a whole one. */
+static void sharpen(const struct history *history, int tile, const struct tile_values *values, const float *share,
+                    float *sharp)
+{
+    const struct patch *patch = &history->patch;
+    int columns = patch->cells.x1 - patch->cells.x0, rows = patch->cells.y1 - patch->cells.y0;
+    int left = x_of(history, tile) - patch->cells.x0;
+    const float *active = patch_plane(patch, CHECKPOINT_ACTIVE), *carved = patch_plane(patch, CHECKPOINT_CARVED);
+    for (int cell = 0; cell < TILE_CELLS; cell++) {
+        int x = left + cell % TILE, y = cell / TILE, at = y * columns + x;
+        bool outside = x >= columns || y >= rows;
+        bool was = values->planes[CODE_ACTIVE][cell] + values->planes[CODE_CARVED][cell] > DEPOSIT_CARVED;
+        bool is = !outside && active[at] + carved[at] > DEPOSIT_CARVED;
+        sharp[cell] = was && is ? share[cell] : share[cell] >= 0.5f ? 1.0f : 0.0f;
+    }
+}
+
 void restoring_give(struct restoring *restoring, int tile, const struct plan *plan, const struct tile_code *code)
 {
     struct history *history = restoring->history;
     struct tile_values values;
+    float sharp[TILE_CELLS];
     tile_code_values(code, &values);
-    tile_values_blend(&values, plan->share, &history->patch, x_of(history, tile), y_of(history, tile));
+    sharpen(history, tile, &values, plan->share, sharp);
+    tile_values_blend(&values, sharp, &history->patch, x_of(history, tile), y_of(history, tile));
     tile_code_give_ground(code, plan->ground, &history->patch, x_of(history, tile), y_of(history, tile));
 }
 

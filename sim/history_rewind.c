@@ -1,16 +1,20 @@
 /* The time brush: the cells under a stroke as they were some rounds ago, each pass further back. */
 #include "history_restore.h"
+#include "noise.h"
 
 enum { PASS_TICKS = 12 }; /* the time brush takes a cell back once in so many ticks */
 
-#define SOFT_RIM 0.3f /* of its radius, that it fades over */
+#define SOFT_RIM 0.2f /* of its radius, that it fades over */
+#define RIM_TORN 0.4f /* of its radius, that its edge wavers by: a straight cut would be seen for long */
+#define RIM_SIZE 9.0f /* cells, of a wave */
 
 static float cover_of(const struct restoring *restoring, float x, float y)
 {
-    float best = 0.0f;
+    float best = 0.0f, torn = 0.5f + 0.5f * noise_smooth(x, y, RIM_SIZE, 1, RANDOM_RIM);
     for (int i = 0; i < restoring->mark_count; i++) {
         const struct mark *mark = &restoring->marks[i];
-        float t = -mark_distance(mark, x, y) / (SOFT_RIM * mark->radius);
+        float inside = -mark_distance(mark, x, y) - torn * RIM_TORN * mark->radius;
+        float t = inside / (SOFT_RIM * mark->radius);
         best = t > best ? t : best;
     }
     return best < 1.0f ? best : 1.0f;
@@ -72,8 +76,8 @@ static void plan_rewind(struct restoring *restoring, int tile, struct plan *plan
         plan->share[cell] = 0.0f;
         plan->ground[cell] = 0;
         if (lost) {
-            float x = (float)(x_of(history, tile) + cell % TILE), y = (float)(y_of(history, tile) + cell / TILE);
-            float cover = cover_of(restoring, x + 0.5f, y + 0.5f);
+            int x = x_of(history, tile) + cell % TILE, y = y_of(history, tile) + cell / TILE;
+            float cover = cover_of(restoring, (float)x + 0.5f, (float)y + 0.5f);
             plan->share[cell] = aim(restoring, tile, lost, cover, &plan->versions[cell]);
             plan->ground[cell] = plan->share[cell] >= 0.5f;
             plan->any = plan->any || plan->share[cell] > 0.0f;

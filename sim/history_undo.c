@@ -12,6 +12,7 @@
 #define FLOW        0.5f /* cells a tick, and at most, that liquid comes along a pattern */
 #define FLOW_ROOM   12.0f
 #define FLOW_MOST   160.0f
+#define NEVER       0xffffffffu
 
 /* The version of a tile that was before a group. */
 static uint32_t before(const struct history *history, const struct group *group, int tile)
@@ -124,16 +125,39 @@ static void apply_undo(struct restoring *restoring, int tile, struct plan *plan)
     restoring_lose(restoring, tile, plan, moment < restoring->group->begin ? restoring->group->begin : moment);
 }
 
-/* Where a version was carved. */
-static void carved_then(const struct history *history, uint32_t version, uint8_t carved[TILE_CELLS])
+/* Where a tile was carved before a group. */
+static void carved_then(const struct history *history, const struct group *group, int tile, uint8_t carved[TILE_CELLS])
 {
-    uint16_t active[TILE_CELLS], depth[TILE_CELLS];
+    uint32_t version = before(history, group, tile);
     memset(carved, 0, TILE_CELLS);
     if (version != PAST_NONE) {
-        past_read_plane(history->past, version, CODE_ACTIVE, active);
-        past_read_plane(history->past, version, CODE_CARVED, depth);
+        struct tile_code code;
+        read_mended(history, tile, version, &code);
         for (int cell = 0; cell < TILE_CELLS; cell++) {
-            carved[cell] = tile_code_number(active[cell]) + tile_code_number(depth[cell]) > DEPOSIT_CARVED;
+            float depth =
+                tile_code_number(code.planes[CODE_ACTIVE][cell]) + tile_code_number(code.planes[CODE_CARVED][cell]);
+            carved[cell] = depth > DEPOSIT_CARVED;
+        }
+    }
+}
+
+/* When each cell of a tile was carved, as far as versions since a group tell. `cells`: of the tile in rows of the box,
+ * and where those end. */
+static void find_since(const struct history *history, const struct group *group, int tile, struct rectangle cells,
+                       uint32_t *since)
+{
+    uint32_t version = before(history, group, tile);
+    for (version = version == PAST_NONE ? PAST_NONE : past_next(history->past, version); version != PAST_NONE;
+         version = past_next(history->past, version)) {
+        uint16_t active[TILE_CELLS], carved[TILE_CELLS];
+        past_read_plane(history->past, version, CODE_ACTIVE, active);
+        past_read_plane(history->past, version, CODE_CARVED, carved);
+        for (int cell = 0; cell < TILE_CELLS; cell++) {
+            int x = cells.x0 + cell % TILE, y = cell / TILE;
+            float depth = tile_code_number(active[cell]) + tile_code_number(carved[cell]);
+            if (x < cells.x1 && y < cells.y1 && depth > DEPOSIT_CARVED && since[y * cells.x1 + x] == NEVER) {
+                since[y * cells.x1 + x] = past_moment(history->past, version);
+            }
         }
     }
 }
@@ -154,9 +178,12 @@ static bool find_carved_line(struct history *history, struct engine *engine, con
     for (int i = 0; i < width * rows; i++) {
         to[i] = active[i] + carved[i] > DEPOSIT_CARVED ? TERRITORY_IS : 0;
     }
+    uint32_t *since = territory->since + (size_t)(line * TILE - box.y0) * (size_t)width;
     for (int x = box.x0; x < box.x1; x += TILE) {
         uint8_t was[TILE_CELLS];
-        carved_then(history, before(history, group, line * history->columns + x / TILE), was);
+        int tile = line * history->columns + x / TILE;
+        carved_then(history, group, tile, was);
+        find_since(history, group, tile, (struct rectangle){x - box.x0, width, 0, rows}, since);
         for (int cell = 0; cell < TILE_CELLS; cell++) {
             int column = x - box.x0 + cell % TILE, row = cell / TILE;
             if (was[cell] && column < width && row < rows) {
@@ -171,8 +198,13 @@ static bool find_carved(struct history *history, struct engine *engine, const st
                         struct territory *territory)
 {
     struct rectangle box = territory->box;
-    territory->carved = calloc((size_t)(box.x1 - box.x0) * (size_t)(box.y1 - box.y0), 1);
-    bool good = territory->carved;
+    size_t cells = (size_t)(box.x1 - box.x0) * (size_t)(box.y1 - box.y0);
+    territory->carved = calloc(cells, 1);
+    territory->since = malloc(cells * sizeof *territory->since);
+    bool good = territory->carved && territory->since;
+    for (size_t i = 0; good && i < cells; i++) {
+        territory->since[i] = NEVER;
+    }
     for (int line = box.y0 / TILE; good && line * TILE < box.y1; line++) {
         good = find_carved_line(history, engine, group, territory, line);
     }
@@ -191,7 +223,7 @@ static bool was_carved(const struct history *history, const struct group *group,
     uint8_t carved[TILE_CELLS];
     int tile = tile_at(history, mark->x0, mark->y0);
     int x = (int)mark->x0 - x_of(history, tile), y = (int)mark->y0 - y_of(history, tile);
-    carved_then(history, before(history, group, tile), carved);
+    carved_then(history, group, tile, carved);
     return carved[(y < TILE ? y : TILE - 1) * TILE + (x < TILE ? x : TILE - 1)];
 }
 
@@ -239,9 +271,26 @@ static float reach_of(const struct territory *territory)
     return most;
 }
 
+/* Where others have painted over what is taken back, it is not there to be taken; but should they take theirs back, it
+ * is not to come to light. */
+static void lose_claimed(struct history *history, const struct territory *territory)
+{
+    const struct rectangle *box = &territory->box;
+    const uint32_t *claimed = territory->claimed;
+    for (int y = box->y0; y < box->y1; y++) {
+        for (int x = box->x0; x < box->x1; x++, claimed++) {
+            if (*claimed > 0) {
+                history->lost[(size_t)y * (size_t)history->width + (size_t)x] =
+                    (struct lost){.from = territory->begin, .until = *claimed};
+            }
+        }
+    }
+}
+
 static struct territory territory_of(const struct group *group, uint32_t now)
 {
-    float ticks = (float)(now / MOMENTS - group->begin / MOMENTS), flow = FLOW_ROOM + FLOW * ticks;
+    uint32_t passed = now / MOMENTS - group->begin / MOMENTS;
+    float ticks = (float)passed, flow = FLOW_ROOM + FLOW * ticks;
     return (struct territory){.begin = group->begin,
                               .moments_a_cell = (float)MOMENTS / SPEED,
                               .growth = GROWTH_ROOM + GROWTH * ticks,
@@ -268,6 +317,7 @@ void history_undo(struct history *history, struct engine *engine, struct group *
         if (!rectangle_is_empty(territory.box) && find_carved(history, engine, group, &territory) &&
             territory_measure(&territory)) {
             restoring_run(&restoring, territory.box);
+            lose_claimed(history, &territory);
         }
     }
     group->state = GROUP_UNDONE;

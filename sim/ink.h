@@ -8,6 +8,8 @@
 #ifndef FROND_INK_H
 #define FROND_INK_H
 
+#include <stdbool.h>
+
 enum {
     INK_BANDS = 6,   /* 400-440, 460-480, 500-520, 540-560, 580-600, 620-700 nm */
     INK_PALETTE = 4, /* inks of a palette, and that mix in one place */
@@ -34,6 +36,8 @@ int ink_find(const char *name);
 struct palette {
     const char *name, *meaning;
     const char *inks[INK_PALETTE];
+    bool safe; /* its inks are told apart with protanopia, deuteranopia and tritanopia too (vision.h) */
+    bool grey; /* and by their lightness alone */
 };
 
 /* Ends with a palette whose name is NULL. */

@@ -82,7 +82,8 @@ void key_defaults(const struct key *keys, void *object)
         case KEY_CHOICE:
         case KEY_INK:
         case KEY_BRUSH:
-        case KEY_COEFFICIENT: {
+        case KEY_COEFFICIENT:
+        case KEY_TIME: {
             int value = (int)keys->initial;
             memcpy(at, &value, sizeof value);
             break;
@@ -92,6 +93,14 @@ void key_defaults(const struct key *keys, void *object)
             memcpy(at, &value, sizeof value);
             break;
         }
+        case KEY_ZONE: {
+            const float zone[4] = {0, (float)keys->initial, 1, 1};
+            memcpy(at, zone, sizeof zone);
+            break;
+        }
+        case KEY_SIZE:
+            memset(at, 0, 2 * sizeof(int));
+            break;
         case KEY_POINT:
             memset(at, 0, sizeof(struct point));
             break;

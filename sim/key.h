@@ -20,6 +20,10 @@ enum key_type {
     KEY_PICTURE, /* struct action_raster, from a picture: a path relative to the file that names it */
     KEY_TEXT,    /* const char *: a word or some, of `min` to `max` bytes; owned by whoever read it */
     KEY_COEFFICIENT, /* int: index into coefficient_keys[] (coefficients.h); written as the coefficient's name */
+    KEY_ZONE,        /* float[4]: [left, top, right, bottom] in 0..1 of the sheet; its default reaches from a top of
+                        `initial` down, all across */
+    KEY_SIZE,        /* int[2]: WxH; 0, 0 where it is left out */
+    KEY_TIME,        /* int: minutes since midnight, 0..1440; written as H:MM */
 };
 
 struct key {
@@ -41,8 +45,7 @@ const struct key *key_find(const struct key *keys, const char *name);
 int key_count(const struct key *keys);
 /* The name in the table nearest to a misspelt one (edit distance at most 3, and less than half its length), or NULL. */
 const char *key_suggest(const struct key *keys, const char *misspelt);
-/* Fills every KEY_NUMBER, KEY_INTEGER, KEY_FLAG, KEY_CHOICE, KEY_INK, KEY_BRUSH and KEY_COEFFICIENT of `object` with
- * its default; paths and rasters are made empty, texts NULL. */
+/* Fills every value of `object` with its default; points are made 0, paths and rasters empty, texts NULL. */
 void key_defaults(const struct key *keys, void *object);
 
 #endif

@@ -89,10 +89,11 @@ static bool take_state(struct painting *painting)
     painting->dry = take(painting, cells * INKS, sizeof(float));
     painting->ground = ground_create(&painting->def);
     painting->tile_sums = take(painting, tiles, sizeof(double));
+    painting->line_sums = take(painting, 2 * (size_t)painting->tiles.rows, sizeof(double));
     painting->tile_carved = take(painting, tiles, sizeof(uint16_t));
     painting->rows = take(painting, (size_t)team_size(painting->team), sizeof *painting->rows);
     if (!painting->fluid || !painting->pattern || !painting->solvent || !painting->dry || !painting->ground ||
-        !painting->tile_sums || !painting->tile_carved || !painting->rows ||
+        !painting->tile_sums || !painting->line_sums || !painting->tile_carved || !painting->rows ||
         !deposit_init(&painting->deposit, &painting->bytes)) {
         return false;
     }
@@ -151,6 +152,7 @@ void painting_destroy(struct painting *painting)
     deposit_finish(&painting->deposit);
     free(painting->halo);
     free(painting->tile_sums);
+    free(painting->line_sums);
     free(painting->tile_carved);
     tiles_finish(&painting->tiles);
     team_destroy(painting->team);

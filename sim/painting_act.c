@@ -179,11 +179,15 @@ static void lay(struct painting *painting, const struct action *action)
     struct deposit *deposit = &painting->deposit;
     deposit_begin(deposit, painting->ground, action);
     while (deposit_next(deposit)) {
-        apply_part(painting, CELL_WORK[deposit->verb]);
+        if (deposit->verb == ACTION_RINSE) {
+            painting_rinse(painting);
+        } else {
+            apply_part(painting, CELL_WORK[deposit->verb]);
+        }
     }
     struct rectangle cells = deposit->cells;
     bool brings_liquid = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_SOLVENT ||
-                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET;
+                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET || action->verb == ACTION_RINSE;
     if (brings_liquid) {
         tiles_mark(&painting->tiles, TILE_WET, cells.x0, cells.x1, cells.y0, cells.y1);
     }

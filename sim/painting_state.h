@@ -3,6 +3,7 @@
  *   painting_fluid.c    solvent, ink and pigment: a sweep of all LBM steps of a tick
  *   painting_pattern.c  the pattern: a sweep of all its steps of a tick
  *   painting_upkeep.c   drying, re-wetting, evaporation, settling
+ *   painting_rinse.c    running water
  *   painting_act.c      actions: what they do to the ground (ground.h) and lay on it (deposit.h) comes to the cells
  * State is stored once, in place: before a sweep each run saves the rows and columns around it that its neighbours will
  * overwrite; then all runs compute at once, row by row through rings that fit the second-level cache. */
@@ -51,6 +52,7 @@ struct painting {
     size_t halo_floats;
     struct bench_rows *rows; /* one for each member of the team */
     double *tile_sums;       /* scratch of the upkeep: one a tile */
+    double *line_sums;       /* scratch of rinsing: two a line of tiles */
     uint16_t *tile_carved;   /* carved cells of each tile when last counted */
     size_t bytes;
 
@@ -108,6 +110,8 @@ void painting_touch(struct painting *painting, int x0, int x1, int y0, int y1);
 void painting_stir(struct painting *painting);
 
 void painting_clear(struct painting *painting); /* all but the ground */
+/* Lays the part of a rinse that is in painting->deposit on the cells. */
+void painting_rinse(struct painting *painting);
 /* Finds the tiles of a rectangle that hold obstacles or guidance: they need the full kernel. */
 void painting_find_special(struct painting *painting, struct rectangle cells);
 

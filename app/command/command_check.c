@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "command.h"
+#include "exhibit.h"
 #include "inputs.h"
 #include "option.h"
 #include "pictures.h"
@@ -10,17 +11,20 @@
 
 static const char HELP[] =
     "usage: frond check FILE...\n\n"
-    "Reads session scripts and inputs files, with their formulas and pictures, and prints every problem as\n"
-    "file:line:column: key: what was found; what is allowed. Prints nothing when all is well.\n\n"
+    "Reads exhibits, session scripts and inputs files, with the formulas, pictures and recorded sessions that they\n"
+    "name, and prints every problem as file:line:column: key: what was found; what is allowed. Prints nothing when\n"
+    "all is well.\n\n"
     "Exit status: 0 all are valid, 1 one is not, 2 the command line is wrong.\n";
 
-/* A session script, or by its key `inputs` an inputs file. */
+/* A session script, or by its key `exhibit` an exhibit, or by its key `inputs` an inputs file; an exhibit has both. */
 static void check(const char *path, const struct script_def *def, struct report *report)
 {
     size_t size = 0;
     char *text = script_load(path, &size, report);
     char *folder = script_folder(path);
-    if (text && folder && inputs_is(text, size)) {
+    if (text && folder && exhibit_is(text, size)) {
+        exhibit_destroy(exhibit_parse(text, size, folder, def, report));
+    } else if (text && folder && inputs_is(text, size)) {
         inputs_destroy(inputs_parse(text, size, folder, NULL, def, report));
     } else if (text && folder) {
         script_destroy(script_parse(text, size, folder, def, report));
@@ -49,6 +53,7 @@ int command_check(int argc, char *argv[])
     }
     struct script_def def = script_default_def();
     def.load = pictures_load;
+    def.every_picture = true;
     int status = EXIT_STATUS_GOOD;
     for (int i = optind; i < argc; i++) {
         struct report report;

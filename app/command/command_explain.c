@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "command.h"
+#include "exhibit.h"
 #include "explain.h"
 #include "inputs.h"
 #include "option.h"
@@ -9,14 +10,14 @@
 
 static const char HELP[] =
     "usage: frond explain [KEY]\n\n"
-    "Every key of session scripts and inputs files: type, range, unit, default and meaning. KEY is a key\n"
-    "(radius), a key with its place (drop.radius), a verb (drop), a section (canvas; inputs:\n"
-    "all of an inputs file), or the name of a coefficient, a brush, an ink or a palette.\n";
+    "Every key of exhibits, session scripts and inputs files: type, range, unit, default and meaning. KEY is\n"
+    "a key (radius), a key with its place (drop.radius), a verb (drop), a section (canvas; exhibit, inputs:\n"
+    "all of such a file), or the name of a coefficient, a brush, an ink or a palette.\n";
 
-static struct names names_of_inputs(void)
+static struct names names_of_tables(const struct inputs_table *tables)
 {
     struct names names = {.count = 0};
-    for (const struct inputs_table *table = inputs_tables; table->name; table++) {
+    for (const struct inputs_table *table = tables; table->name; table++) {
         names.names[names.count++] = table->name;
     }
     return names;
@@ -26,13 +27,13 @@ static void suggest(const char *asked)
 {
     struct names names = names_of_keys(script_keys);
     struct names more[] = {names_of_verbs(), names_of_keys(coefficient_keys), names_of_keys(canvas_keys),
-                           names_of_inputs()};
+                           names_of_tables(exhibit_tables), names_of_tables(inputs_tables)};
     for (size_t i = 0; i < sizeof more / sizeof *more; i++) {
         for (int k = 0; k < more[i].count && names.count < NAMES_MAX; k++) {
             names.names[names.count++] = more[i].names[k];
         }
     }
-    char allowed[1200];
+    char allowed[2400];
     fprintf(stderr, "frond explain: nothing is called '%s'; %s, and their keys\n", asked,
             names_allowed(&names, asked, allowed, sizeof allowed));
 }

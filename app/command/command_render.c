@@ -6,6 +6,7 @@
 #include "option.h"
 #include "picture.h"
 #include "pictures.h"
+#include "plan.h"
 #include "render.h"
 
 static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n"
@@ -17,6 +18,9 @@ static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n
                            "      --fields FILE.exr  every field of the painting, as float channels\n"
                            "      --stats FILE.json  sums, extremes and the figures of the shape\n"
                            "      --journal FILE     the session as a journal, for frond replay\n"
+                           "      --svg FILE.svg         the branches as strokes in millimetres, for plotters and\n"
+                           "                             embroidery\n"
+                           "      --paper MM             width of its sheet; 200 if left out\n"
                            "      --seed N           instead of the script's\n"
                            "      --ticks N          instead of the script's\n"
                            "      --engine KIND      cpu (if left out), gpu, or auto: the faster on this machine.\n"
@@ -31,6 +35,8 @@ enum {
     EVERY,
     FIELDS,
     STATS,
+    SVG,
+    PAPER,
     SIZE,
     SEED,
     TICKS,
@@ -59,6 +65,7 @@ static int wrong(const char *option, const char *found, const char *allowed)
 static int take_option(struct order *order, int option)
 {
     struct render_def *def = &order->def;
+    int paper;
     switch (option) {
     case 'o':
         def->picture = optarg;
@@ -74,6 +81,15 @@ static int take_option(struct order *order, int option)
         break;
     case JOURNAL:
         def->journal = optarg;
+        break;
+    case SVG:
+        def->svg = optarg;
+        break;
+    case PAPER:
+        if (!option_whole(optarg, PLAN_PAPER_LEAST, PLAN_PAPER_MOST, &paper)) {
+            return wrong("paper", optarg, "10 to 5000 mm");
+        }
+        def->paper_mm = paper;
         break;
     case DENSE:
         def->dense = true;
@@ -127,6 +143,8 @@ static bool read_order(int argc, char *argv[], struct order *order, int *status)
                                             {"every", required_argument, NULL, EVERY},
                                             {"fields", required_argument, NULL, FIELDS},
                                             {"stats", required_argument, NULL, STATS},
+                                            {"svg", required_argument, NULL, SVG},
+                                            {"paper", required_argument, NULL, PAPER},
                                             {"seed", required_argument, NULL, SEED},
                                             {"ticks", required_argument, NULL, TICKS},
                                             {"threads", required_argument, NULL, THREADS},
@@ -155,7 +173,7 @@ static bool read_order(int argc, char *argv[], struct order *order, int *status)
                 optind < argc ? "one script at a time" : "no script is given");
         return false;
     }
-    if (!order->def.picture) {
+    if (!order->def.picture && !order->def.svg) {
         fprintf(stderr, "frond render: no picture is asked for: -o FILE.png; see frond render --help\n");
         return false;
     }

@@ -1,33 +1,36 @@
-#include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "command.h"
-#include "live.h"
 #include "option.h"
-#include "pictures.h"
-#include "render.h"
-#include "script_sheet.h"
-#include "session.h"
+#include "run_show.h"
 
 static const char HELP[] =
-    "usage: frond run [SCRIPT] [OPTIONS]\n\n"
-    "Paints the demonstration session, or SCRIPT, live on what is there: a window where a desktop\n"
-    "runs, else the screen of the board, on a canvas of its shape. Touch it. Where there is neither,\n"
-    "the session is rendered to out/ in the current folder: the picture, two pixels a cell, and a\n"
-    "folder of how it grew.\n\n"
+    "usage: frond run [EXHIBIT|SESSION] [OPTIONS]\n\n"
+    "Shows the touch table, or another EXHIBIT, on what is there: a window where a desktop runs, else\n"
+    "the screen of the board. Touch it. An edit to its file, its pictures or its sessions is taken up\n"
+    "at once; one that has an error is not, and the staff is told (frond check). A SESSION, a script of\n"
+    "actions, is painted live in the same way. Where there is neither a desktop nor a screen, a session,\n"
+    "the demonstration if none is given, is rendered to out/ in the current folder: the picture, two\n"
+    "pixels a cell, and a folder of how it grew.\n\n"
+    "What the command line says of display, engine and rate comes before what the exhibit says.\n\n"
     "      --display KIND    auto, kms (the screen itself), window, headless (memory), or none: the\n"
     "                        session is rendered to out/ whatever there is\n"
     "      --card PATH       kms: the graphics card, /dev/dri/card1\n"
     "      --connector NAME  kms: where the screen is plugged in, HDMI-A-1\n"
     "      --mode WxH[@HZ]   pixels of the screen or the window; what it prefers if left out\n"
     "      --rotate DEGREES  0, 90, 180 or 270, clockwise; touch turns along\n"
-    "      --inputs FILE     what visitors do, and with which devices (frond explain inputs); else fingers\n"
+    "      --state DIR       where the gallery is kept; $STATE_DIRECTORY or ~/.local/state/frond if left out\n"
+    "      --open            whatever the exhibit's schedule says\n"
+    "      --inputs FILE     sessions: what visitors do, and with which devices (frond explain inputs); else fingers\n"
     "                        paint, gamepads have a point on the sheet, dials turn coefficients\n"
     "      --hold            on a screen: no key reaches the system, neither Ctrl-C nor a change of console\n"
+    "      --console PATH    with --hold: a console, /dev/tty1, that takes no keys either; the unit of the service\n"
+    "                        must own it\n"
+    "      --standby         an EXHIBIT that is wrong, or not there, is waited for; until then a plain one stands\n"
+    "                        in for it, and the staff is told\n"
     "      --engine KIND     auto (the faster, by timing both once on this machine), cpu, gpu\n"
     "      --rate N          ticks a second, 1 to 1000; 60 if left out\n"
     "      --ticks N         instead of the script's\n"
@@ -39,48 +42,6 @@ static const char HELP[] =
     "      --shaders DIR     shader sources from a folder, looked at again when they change\n"
     "      --help            this\n";
 
-static const char OUT[] = "out";
-
-enum {
-    RUN_SCALE = 2,  /* pixels a cell: the edges of branches come out smooth */
-    RUN_FRAMES = 6, /* pictures on the way; each took half a second of 38 s for the demonstration, on two cores */
-};
-
-/* "sessions/night.yaml" becomes "out/night" and what comes after it. */
-static void name_output(const char *script, const char *ending, char *path, size_t size)
-{
-    const char *slash = strrchr(script, '/');
-    const char *name = slash ? slash + 1 : script;
-    const char *dot = strrchr(name, '.');
-    int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
-    snprintf(path, size, "%s/%.*s%s", OUT, length, name, ending);
-}
-
-static int render_session(const char *path, const struct script *script)
-{
-    char picture[300], frames[300];
-    struct file_error error;
-    struct render_def def = render_default_def();
-    name_output(path, ".png", picture, sizeof picture);
-    name_output(path, "-growth", frames, sizeof frames);
-    def.picture = picture;
-    def.frames = frames;
-    def.every = script->ticks > RUN_FRAMES ? script->ticks / RUN_FRAMES : 1;
-    def.width = RUN_SCALE * script->width;
-    def.height = RUN_SCALE * script->height;
-    if (mkdir(OUT, 0777) != 0 && errno != EEXIST) {
-        fprintf(stderr, "frond run: %s: the folder cannot be made: %s\n", OUT, strerror(errno));
-        return EXIT_STATUS_FAILED;
-    }
-    struct progress progress = progress_start(picture, stderr);
-    if (!render(script, &def, &progress, &error)) {
-        fprintf(stderr, "frond run: %s\n", error.text);
-        return EXIT_STATUS_FAILED;
-    }
-    printf("%s\n%s/\n", picture, frames);
-    return EXIT_STATUS_GOOD;
-}
-
 enum {
     DISPLAY = 256,
     CARD,
@@ -89,6 +50,8 @@ enum {
     ROTATE,
     INPUTS,
     HOLD,
+    CONSOLE,
+    STANDBY,
     ENGINE,
     RATE,
     TICKS,
@@ -98,16 +61,10 @@ enum {
     XRAY,
     FULL,
     SHADERS,
+    STATE,
+    OPEN,
     HELP_ASKED,
     RATE_MOST = 1000,
-};
-
-struct order {
-    struct display_def display;
-    struct live_def live;
-    bool none;          /* no display at all: render */
-    int ticks;          /* -1: the script's */
-    const char *inputs; /* path; NULL: the default ones */
 };
 
 static int wrong(const char *option, const char *found, const char *allowed)
@@ -138,7 +95,7 @@ static bool take_mode(const char *text, struct display_def *def)
     return option_size(size, DISPLAY_SIZE_MAX, &def->width, &def->height);
 }
 
-static bool take_display(const char *name, struct order *order)
+static bool take_display(const char *name, struct run_order *order)
 {
     order->none = strcmp(name, "none") == 0;
     for (int i = 0; i < DISPLAY_KINDS; i++) {
@@ -151,7 +108,7 @@ static bool take_display(const char *name, struct order *order)
 }
 
 /* Options of the screen; -1 when it is right, or none of these. */
-static int take_display_option(struct order *order, int option)
+static int take_display_option(struct run_order *order, int option)
 {
     struct display_def *def = &order->display;
     switch (option) {
@@ -169,6 +126,7 @@ static int take_display_option(struct order *order, int option)
         if (!option_whole(optarg, 0, 270, &def->rotation) || def->rotation % 90 != 0) {
             return wrong("rotate", optarg, "0, 90, 180 or 270 degrees");
         }
+        order->rotated = true;
         return -1;
     default:
         return -1;
@@ -176,7 +134,7 @@ static int take_display_option(struct order *order, int option)
 }
 
 /* All other options; -1 when it is right, or none of these. */
-static int take_live_option(struct order *order, int option)
+static int take_live_option(struct run_order *order, int option)
 {
     int whole;
     switch (option) {
@@ -187,7 +145,7 @@ static int take_live_option(struct order *order, int option)
         if (!option_whole(optarg, 1, RATE_MOST, &whole)) {
             return wrong("rate", optarg, "1 to 1000 ticks a second");
         }
-        order->live.ticks_per_second = whole;
+        order->live.ticks_per_second = order->rate = whole;
         return -1;
     case TICKS:
         return option_whole(optarg, 0, SCRIPT_TICKS_MAX, &order->ticks) ? -1
@@ -204,6 +162,12 @@ static int take_live_option(struct order *order, int option)
     case HOLD:
         order->live.hold = true;
         return -1;
+    case CONSOLE:
+        order->live.console = optarg;
+        return -1;
+    case STANDBY:
+        order->standby = true;
+        return -1;
     case ONCE:
         order->live.once = true;
         return -1;
@@ -219,77 +183,19 @@ static int take_live_option(struct order *order, int option)
     case SHADERS:
         order->live.shaders = optarg;
         return -1;
+    case OPEN:
+        order->live.open = true;
+        return -1;
+    case STATE:
+        order->live.state = optarg;
+        return -1;
     default:
         return -1;
     }
 }
 
-static int show(struct script *script, const char *path, const struct order *order, const struct inputs *inputs)
-{
-    struct display_error error;
-    if (order->none) {
-        return render_session(path, script);
-    }
-    struct display *display = display_create(&order->display, &error);
-    if (!display && order->display.kind != DISPLAY_AUTO) {
-        fprintf(stderr, "frond run: %s\n", error.text);
-        return EXIT_STATUS_FAILED;
-    }
-    if (!display || (order->display.kind == DISPLAY_AUTO && display_kind(display) == DISPLAY_HEADLESS)) {
-        display_destroy(display);
-        fprintf(stderr, "frond run: neither a desktop nor a screen: rendering to %s/\n", OUT);
-        return render_session(path, script);
-    }
-    struct display_size size = display_sheet(display);
-    if (size.width > 0 && size.height > 0) {
-        script_fit(script, size.width, size.height);
-    }
-    struct live_def def = order->live;
-    def.rotation = order->display.rotation;
-    def.inputs = inputs;
-    bool good = live(script, display, &def);
-    display_destroy(display);
-    return good ? EXIT_STATUS_GOOD : EXIT_STATUS_FAILED;
-}
-
-/* With the inputs that were asked for, which are for this script's inks. */
-static int show_with_inputs(struct script *script, const char *path, const struct order *order)
-{
-    struct script_def def = script_default_def();
-    struct report report;
-    if (!order->inputs) {
-        return show(script, path, order, NULL);
-    }
-    def.load = pictures_load;
-    report_init(&report, order->inputs);
-    struct inputs *inputs = inputs_read(order->inputs, script, &def, &report);
-    report_print(&report, stderr);
-    report_finish(&report);
-    int status = inputs ? show(script, path, order, inputs) : EXIT_STATUS_FAILED;
-    inputs_destroy(inputs);
-    return status;
-}
-
-static int run_script(const char *path, const struct order *order)
-{
-    struct script_def def = script_default_def();
-    struct report report;
-    int status = EXIT_STATUS_FAILED;
-    def.load = pictures_load;
-    report_init(&report, path);
-    struct script *script = script_read(path, &def, &report);
-    report_print(&report, stderr);
-    if (script) {
-        script->ticks = order->ticks >= 0 ? order->ticks : script->ticks;
-        status = show_with_inputs(script, path, order);
-    }
-    script_destroy(script);
-    report_finish(&report);
-    return status;
-}
-
 /* Reads the command line; -1 when it is right, else the exit status. */
-static int read_order(int argc, char *argv[], struct order *order)
+static int read_order(int argc, char *argv[], struct run_order *order)
 {
     static const struct option options[] = {{"display", required_argument, NULL, DISPLAY},
                                             {"card", required_argument, NULL, CARD},
@@ -298,6 +204,8 @@ static int read_order(int argc, char *argv[], struct order *order)
                                             {"rotate", required_argument, NULL, ROTATE},
                                             {"inputs", required_argument, NULL, INPUTS},
                                             {"hold", no_argument, NULL, HOLD},
+                                            {"console", required_argument, NULL, CONSOLE},
+                                            {"standby", no_argument, NULL, STANDBY},
                                             {"engine", required_argument, NULL, ENGINE},
                                             {"rate", required_argument, NULL, RATE},
                                             {"ticks", required_argument, NULL, TICKS},
@@ -307,6 +215,8 @@ static int read_order(int argc, char *argv[], struct order *order)
                                             {"xray", no_argument, NULL, XRAY},
                                             {"full", no_argument, NULL, FULL},
                                             {"shaders", required_argument, NULL, SHADERS},
+                                            {"state", required_argument, NULL, STATE},
+                                            {"open", no_argument, NULL, OPEN},
                                             {"help", no_argument, NULL, HELP_ASKED},
                                             {NULL, 0, NULL, 0}};
     int option, status = -1;
@@ -323,7 +233,7 @@ static int read_order(int argc, char *argv[], struct order *order)
         status = status < 0 ? take_live_option(order, option) : status;
     }
     if (status < 0 && argc - optind > 1) {
-        fprintf(stderr, "frond run: one script at a time; see frond run --help\n");
+        fprintf(stderr, "frond run: one exhibit or session at a time; see frond run --help\n");
         return EXIT_STATUS_USAGE;
     }
     return status;
@@ -331,16 +241,10 @@ static int read_order(int argc, char *argv[], struct order *order)
 
 int command_run(int argc, char *argv[])
 {
-    struct order order = {.display = display_default_def(), .live = live_default_def(), .ticks = -1};
-    char demonstration[1300];
+    struct run_order order = {.display = display_default_def(), .live = live_default_def(), .ticks = -1};
     int status = read_order(argc, argv, &order);
     if (status >= 0) {
         return status;
     }
-    const char *path = optind < argc ? argv[optind] : demonstration;
-    if (path == demonstration && !session_find("demonstration", demonstration, sizeof demonstration)) {
-        fprintf(stderr, "frond run: the demonstration, sessions/demonstration.yaml, is not installed\n");
-        return EXIT_STATUS_FAILED;
-    }
-    return run_script(path, &order);
+    return run_show(optind < argc ? argv[optind] : NULL, &order);
 }

@@ -194,6 +194,9 @@ bool devices_event(const struct event *event, const struct device *device, const
     case EVENT_LEFT:
         snprintf(text, size, "'%s' %s", device->name, KINDS[event->kind]);
         return true;
+    case EVENT_STANDING:
+        snprintf(text, size, "'%s' %s is on", device->name, control_name(event, inputs, name, sizeof name));
+        return true;
     case EVENT_CONTROL: {
         const char *control = control_name(event, inputs, name, sizeof name);
         int length = snprintf(text, size, "'%s' %s", device->name, control);

@@ -4,10 +4,12 @@
 
 #include "action.h"
 #include "brush.h"
+#include "exhibit.h"
 #include "ink.h"
 #include "inputs.h"
 #include "script.h"
 #include "script_value.h"
+#include "vision.h"
 
 struct explaining {
     const char *asked; /* NULL: everything */
@@ -26,8 +28,10 @@ static const char *type_name(const struct key *key)
         [KEY_INK] = "ink",           [KEY_BRUSH] = "brush",
         [KEY_RASTER] = "expression", [KEY_PICTURE] = "path",
         [KEY_TEXT] = "text",         [KEY_COEFFICIENT] = "coefficient",
+        [KEY_ZONE] = "zone",         [KEY_SIZE] = "size",
+        [KEY_TIME] = "time",
     };
-    return strcmp(key->unit, "section") == 0 ? "section" : NAMES[key->type];
+    return key_is_section(key) ? "section" : NAMES[key->type];
 }
 
 static const char *initial(const struct key *key, char *buffer, size_t size)
@@ -43,9 +47,35 @@ static const char *initial(const struct key *key, char *buffer, size_t size)
     case KEY_CHOICE:
         snprintf(buffer, size, "; default %s", key->choices[(int)key->initial]);
         break;
+    case KEY_ZONE:
+        snprintf(buffer, size, "; default [0, %g, 1, 1]", key->initial);
+        break;
     default:
         snprintf(buffer, size, "; may be left out");
         break;
+    }
+    return buffer;
+}
+
+const char *explain_range(const struct key *key, char *buffer, size_t size)
+{
+    char allowed[1200], start[64];
+    if (key_is_section(key)) {
+        snprintf(buffer, size, "section");
+    } else {
+        snprintf(buffer, size, "%s; %s%s", type_name(key), value_allowed(key, allowed, sizeof allowed),
+                 key->required ? "; required" : initial(key, start, sizeof start));
+    }
+    return buffer;
+}
+
+const char *explain_comment(const struct key *key, char *buffer, size_t size)
+{
+    char range[1400];
+    if (key_is_section(key)) {
+        snprintf(buffer, size, "%s", key->meaning);
+    } else {
+        snprintf(buffer, size, "%s (%s)", key->meaning, explain_range(key, range, sizeof range));
     }
     return buffer;
 }
@@ -71,7 +101,7 @@ static void lead(struct explaining *explaining)
 
 static void explain_keys(struct explaining *explaining, const char *place, const char *about, const struct key *keys)
 {
-    char allowed[1200], start[64];
+    char range[1400];
     explaining->heading = place;
     explaining->about = about;
     for (const struct key *key = keys; key->name; key++) {
@@ -79,12 +109,8 @@ static void explain_keys(struct explaining *explaining, const char *place, const
             continue;
         }
         lead(explaining);
-        fprintf(explaining->out, "  %s (%s", key->name, type_name(key));
-        if (strcmp(key->unit, "section") != 0) {
-            fprintf(explaining->out, "; %s%s", value_allowed(key, allowed, sizeof allowed),
-                    key->required ? "; required" : initial(key, start, sizeof start));
-        }
-        fprintf(explaining->out, ")\n      %s\n", key->meaning);
+        fprintf(explaining->out, "  %s (%s)\n      %s\n", key->name, explain_range(key, range, sizeof range),
+                key->meaning);
     }
     if (is_asked(explaining, place, place)) {
         lead(explaining); /* a verb without parameters */
@@ -101,6 +127,25 @@ static void explain_name(struct explaining *explaining, const char *place, const
     }
 }
 
+static void describe_palette(const struct palette *palette, char *text, size_t size)
+{
+    int inks_of[INK_PALETTE], used = 0;
+    for (int i = 0; i < INK_PALETTE; i++) {
+        inks_of[i] = ink_find(palette->inks[i]);
+    }
+    used += snprintf(text, size, "%s (%s, %s, %s, %s)\n      ", palette->meaning, palette->inks[0], palette->inks[1],
+                     palette->inks[2], palette->inks[3]);
+    if (palette->safe) {
+        used += snprintf(text + used, size - (size_t)used, "Safe for colour-blind eyes%s. ",
+                         palette->grey ? ", and told apart in grey" : "");
+    }
+    used += snprintf(text + used, size - (size_t)used, "Nearest two inks, CIEDE2000:");
+    for (enum vision vision = VISION_USUAL; vision < VISIONS; vision++) {
+        used += snprintf(text + used, size - (size_t)used, " %s %.0f%s", vision_name(vision),
+                         (double)vision_between(vision, inks_of, VISION_INKED), vision == VISION_GREY ? "." : ",");
+    }
+}
+
 static void explain_names(struct explaining *explaining)
 {
     explaining->heading = "brushes";
@@ -114,22 +159,20 @@ static void explain_names(struct explaining *explaining)
     }
     explaining->heading = "palettes";
     for (int i = 0; palettes[i].name; i++) {
-        char meaning[256];
-        const char *const *four = palettes[i].inks;
-        snprintf(meaning, sizeof meaning, "%s (%s, %s, %s, %s)", palettes[i].meaning, four[0], four[1], four[2],
-                 four[3]);
+        char meaning[512];
+        describe_palette(&palettes[i], meaning, sizeof meaning);
         explain_name(explaining, "palettes", "Four inks at once.", palettes[i].name, meaning);
     }
 }
 
-/* All of them for "inputs"; one by its name, or by a key of it. */
-static void explain_inputs(struct explaining *explaining)
+/* The tables of a kind of file: all of them by the name of the first, one by its name, or what a key is in them. */
+static void explain_tables(struct explaining *explaining, const struct inputs_table *tables)
 {
     const char *asked = explaining->asked;
-    if (asked && strcmp(asked, "inputs") == 0) {
+    if (asked && strcmp(asked, tables->name) == 0) {
         explaining->asked = NULL;
     }
-    for (const struct inputs_table *table = inputs_tables; table->name; table++) {
+    for (const struct inputs_table *table = tables; table->name; table++) {
         explain_keys(explaining, table->name, table->about, table->keys);
     }
     explaining->asked = asked;
@@ -146,7 +189,8 @@ bool explain(const char *asked, FILE *out)
         enum action_verb verb = (enum action_verb)i;
         explain_keys(&explaining, action_name(verb), action_meaning(verb), action_keys(verb));
     }
-    explain_inputs(&explaining);
+    explain_tables(&explaining, exhibit_tables);
+    explain_tables(&explaining, inputs_tables);
     explain_names(&explaining);
     return explaining.found;
 }

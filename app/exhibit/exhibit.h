@@ -74,6 +74,8 @@ enum exhibit_tool { /* what a finger on the sheet does; the order on the palette
                     TOOLS,
 };
 
+extern const char *const exhibit_tool_names[]; /* "drop", "brush", ...; ends with NULL */
+
 enum exhibit_side { SIDE_OF_LEFT, SIDE_OF_RIGHT, SIDE_OF_BOTTOM, SIDE_OF_NONE };
 
 struct exhibit_palette { /* the heads-up one, not that of inks */
@@ -94,13 +96,13 @@ struct exhibit_seat {
 };
 
 struct exhibit_visit {
-    float idle;       /* s without input until the countdown */
-    float countdown;  /* s */
-    float thanks;     /* s that a finished picture is looked at before it is washed */
-    float wash;       /* s */
-    float attract;    /* s that a painting of attract takes, rest included */
-    float next_scene; /* paintings of attract until the next scene; 0: it stays */
-    float hide;       /* s that hands are busy until the palette is out of the way */
+    float idle;      /* s without input until the countdown */
+    float countdown; /* s */
+    float thanks;    /* s that a finished picture is looked at before it is washed */
+    float wash;      /* s */
+    float attract;   /* s that a painting of attract takes, rest included */
+    int next_scene;  /* paintings of attract until the next scene; 0: it stays */
+    float hide;      /* s that hands are busy until the palette is out of the way */
 };
 
 struct exhibit_access {
@@ -134,6 +136,7 @@ struct exhibit {
     struct exhibit_display display;
     struct exhibit_sheet sheet;
     int engine;            /* enum engine_kind */
+    uint64_t inputs_mark;  /* of what stands in the file under inputs: the same, the same inputs */
     struct inputs *inputs; /* NULL: the default ones; inks are those of the first scene */
     struct exhibit_scene scenes[EXHIBIT_SCENES];
     int scene_count;                        /* 1.. */
@@ -164,6 +167,16 @@ struct exhibit *exhibit_parse(const char *text, size_t size, const char *folder,
 void exhibit_destroy(struct exhibit *exhibit); /* takes NULL */
 /* Whether a text means to be an exhibit: its top has the key `exhibit`. */
 bool exhibit_is(const char *text, size_t size);
+
+/* The names of the pictures in the folder `pictures` now, sorted, EXHIBIT_PICTURES of them at most; their paths are
+ * relative to exhibit->folder. None when it has no such folder, or it cannot be read. */
+struct exhibit_pictures {
+    char **paths; /* owned, as each of them is */
+    int count;    /* listed; `more` of them are not */
+    int more;
+};
+struct exhibit_pictures exhibit_pictures(const struct exhibit *exhibit);
+void exhibit_pictures_finish(struct exhibit_pictures *pictures); /* takes a zeroed one */
 
 /* The tables behind it; ends with a table whose name is NULL. */
 extern const struct inputs_table exhibit_tables[];

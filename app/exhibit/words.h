@@ -46,7 +46,7 @@ extern const struct words_language words_languages[WORDS_LANGUAGES];
 int words_find(const char *tag);
 /* "invite", "countdown": as exhibits write it. */
 const char *words_key(enum exhibit_text text);
-/* The shipped text; every text is there in the first four languages. */
+/* The shipped text; every text is there in the first four languages, NULL in the others. */
 const char *words_shipped(enum exhibit_text text, int language);
 /* A text of an exhibit in a language: its own, else the shipped one, else both in English. Never NULL. */
 const char *words_of(const struct words texts[TEXTS], enum exhibit_text text, int language);

@@ -9,18 +9,6 @@
 static const float PRESSED = 0.5f, RELEASED = 0.4f; /* of the way of an axis that is taken for a button */
 static const float EIGHTH = 0.1251f;                /* of a turn, to both sides: a hat's direction and its neighbours */
 
-/* The value of a coefficient or of a drop's parameter as it is before anybody turns anything. */
-static float initial_value(const struct controls_def *def, const struct binding *binding)
-{
-    static const char *const NAMES[PARAMETERS] = {"radius", "solvent", "amount"};
-    if (binding->what == DO_DIAL) {
-        return (float)key_find(action_keys(ACTION_DROP), NAMES[binding->parameter])->initial;
-    }
-    const struct key *key = &coefficient_keys[binding->coefficient];
-    const char *at = (const char *)&def->coefficients + key->offset;
-    return key->type == KEY_NUMBER ? *(const float *)(const void *)at : (float)*(const int *)(const void *)at;
-}
-
 struct controls *controls_create(const struct controls_def *def)
 {
     struct controls *controls = calloc(1, sizeof *controls);
@@ -28,14 +16,13 @@ struct controls *controls_create(const struct controls_def *def)
         return NULL;
     }
     controls->def = *def;
+    controls_start_seats(controls);
+    controls_reset_values(controls);
     for (int i = 0; i < def->inputs->binding_count; i++) {
         const struct binding *binding = &def->inputs->bindings[i];
         bool two = binding->touch == TOUCH_TWO || binding->touch == TOUCH_PINCH;
         if (binding->source == BINDING_TOUCH && two) {
-            controls->gestures.pairs = true;
-        }
-        if (binding->what == DO_TURN || binding->what == DO_DIAL) {
-            controls->axes[i] = axis_start(&binding->axis, initial_value(def, binding));
+            controls->pairs[binding->tool] = true;
         }
     }
     return controls;
@@ -46,31 +33,6 @@ void controls_destroy(struct controls *controls)
     free(controls);
 }
 
-static int take_ink(struct controls *controls)
-{
-    int ink = controls->next_ink;
-    controls->next_ink = (controls->next_ink + 1) % controls->def.inks;
-    return ink;
-}
-
-int controls_owner(struct controls *controls, enum event_source source, uint32_t device)
-{
-    int free_one = OWNERS - 1; /* with so many controllers the last ones share a point */
-    for (int i = OWNERS - 1; i >= 0; i--) {
-        const struct owner *owner = &controls->owners[i];
-        if (owner->used && owner->source == source && owner->device == device) {
-            return i;
-        }
-        free_one = owner->used ? free_one : i;
-    }
-    struct owner *owner = &controls->owners[free_one];
-    if (!owner->used) {
-        *owner = (struct owner){
-            .used = true, .source = source, .device = device, .ink = take_ink(controls), .cursor = {0.5f, 0.5f}};
-    }
-    return free_one;
-}
-
 struct cause controls_cause(const struct controls *controls, int finger, int owner, uint64_t time_us)
 {
     struct cause cause = {.finger = finger, .owner = owner, .time_us = time_us};
@@ -78,56 +40,15 @@ struct cause controls_cause(const struct controls *controls, int finger, int own
     return cause;
 }
 
-static struct known *known_of(struct controls *controls, enum event_source source, uint32_t device)
-{
-    for (int i = 0; i < KNOWN; i++) {
-        struct known *known = &controls->known[i];
-        if (known->used && known->source == source && known->device == device) {
-            return known;
-        }
-    }
-    return NULL;
-}
-
-void controls_introduce(struct controls *controls, enum event_source source, const struct device *device)
-{
-    const struct inputs *inputs = controls->def.inputs;
-    struct known *known = known_of(controls, source, device->id);
-    for (int i = 0; i < KNOWN && !known; i++) {
-        known = controls->known[i].used ? NULL : &controls->known[i];
-    }
-    if (!known) {
-        return;
-    }
-    *known = (struct known){.used = true, .source = source, .device = device->id};
-    for (int i = 0; i < inputs->controller_count; i++) {
-        bool is = inputs_match(&inputs->controllers[i], device->vendor, device->product, device->name);
-        known->controllers |= is ? 1u << i : 0;
-    }
-    for (int i = 0; i < inputs->keyboard_count; i++) {
-        bool is = inputs_match(&inputs->keyboards[i], device->vendor, device->product, device->name);
-        known->keyboards |= is ? 1u << i : 0;
-    }
-}
-
-static bool is_device(struct controls *controls, const struct binding *binding, const struct event *event)
-{
-    if (binding->device < 0) {
-        return true;
-    }
-    const struct known *known = known_of(controls, event->source, event->device);
-    uint32_t entries = !known ? 0 : binding->source == BINDING_KEY ? known->keyboards : known->controllers;
-    return entries & 1u << binding->device;
-}
-
 static bool hears(struct controls *controls, const struct binding *binding, const struct event *event)
 {
     switch (binding->source) {
     case BINDING_USAGE:
         return event->source == SOURCE_HID && binding->control == event->control &&
-               (binding->index < 0 || binding->index == event->index) && is_device(controls, binding, event);
+               (binding->index < 0 || binding->index == event->index) && controls_is_device(controls, binding, event);
     case BINDING_KEY:
-        return event->source == SOURCE_KEY && binding->control == event->control && is_device(controls, binding, event);
+        return event->source == SOURCE_KEY && binding->control == event->control &&
+               controls_is_device(controls, binding, event);
     case BINDING_BUTTON:
     case BINDING_ENCODER:
         return event->source == SOURCE_GPIO && binding->control == event->control;
@@ -158,7 +79,7 @@ static void feel_control(struct controls *controls, const struct event *event)
 {
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
-        if (!hears(controls, binding, event)) {
+        if (!hears(controls, binding, event) || (event->kind == EVENT_STANDING && binding->what != DO_STAFF)) {
             continue;
         }
         int owner = controls_owner(controls, event->source, event->device);
@@ -187,7 +108,7 @@ static void flush(struct controls *controls, int finger)
     int wanted = controls->paired[finger] ? TOUCH_TWO : TOUCH_DRAG;
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
-        if (binding->source == BINDING_TOUCH && binding->touch == wanted && binding->what == DO_VERB) {
+        if (binding_touches(binding, wanted, controls->finger_tool[finger]) && binding->what == DO_VERB) {
             controls_fire(controls, i, &cause);
         }
     }
@@ -204,7 +125,7 @@ static void press_finger(struct controls *controls, const struct event *event, i
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
         bool presses = binding->touch == TOUCH_PRESS || binding->touch == TOUCH_TAP || binding->touch == TOUCH_LONG;
-        if (binding->source == BINDING_TOUCH && presses) {
+        if (presses && binding_touches(binding, binding->touch, controls->finger_tool[finger])) {
             controls_press(controls, i, finger, event, true);
         }
     }
@@ -219,7 +140,7 @@ static void move_finger(struct controls *controls, const struct event *event, co
     }
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
-        if (binding->source == BINDING_TOUCH && binding->touch == TOUCHES[gesture->kind]) {
+        if (binding_touches(binding, TOUCHES[gesture->kind], controls->finger_tool[gesture->finger])) {
             controls_move_finger(controls, i, gesture, event->device, event->source);
         }
     }
@@ -233,7 +154,7 @@ static void feel_gesture(void *user, const struct gesture *gesture)
     switch (gesture->kind) {
     case GESTURE_DOWN:
         controls_keep_near(controls, finger, gesture->at);
-        controls->finger_ink[finger] = take_ink(controls);
+        controls_seat_finger(controls, finger, controls->gestures.group);
         controls->paired[finger] = false;
         stroke_start(&controls->strokes[finger], gesture->at);
         press_finger(controls, feeling->event, finger);
@@ -252,7 +173,10 @@ static void feel_gesture(void *user, const struct gesture *gesture)
         return;
     case GESTURE_UP:
     case GESTURE_CANCEL:
-        flush(controls, finger);
+        if (feeling->event->kind != EVENT_CANCEL) {
+            flush(controls, finger);
+        }
+        stroke_start(&controls->strokes[finger], gesture->at);
         controls_release_finger(controls, finger, gesture->time_us, gesture->kind == GESTURE_UP);
         return;
     }
@@ -262,17 +186,16 @@ static void leave(struct controls *controls, const struct event *event)
 {
     struct feeling feeling = {controls, event};
     gesture_leave(&controls->gestures, event->source, event->device, event->time_us, feel_gesture, &feeling);
-    controls_forget_device(controls, event->source, event->device);
-    struct known *known = known_of(controls, event->source, event->device);
-    if (known) {
-        known->used = false;
-    }
-    for (int i = 0; i < OWNERS; i++) {
-        struct owner *owner = &controls->owners[i];
-        if (owner->used && owner->source == event->source && owner->device == event->device) {
-            owner->used = false;
-        }
-    }
+    controls_forget_device(controls, event->source, event->device, event->time_us);
+    controls_part(controls, event->source, event->device);
+}
+
+/* Where the finger that comes down belongs; only fingers of one seat and tool can be two of one hand. */
+static void seat(struct controls *controls, const struct event *event)
+{
+    int at = controls_seat_at(controls, (struct point){event->x, event->y});
+    controls->gestures.group = at;
+    controls->gestures.pairs = controls->pairs[controls->seats[at].tool];
 }
 
 void controls_feel(struct controls *controls, const struct event *event)
@@ -281,12 +204,16 @@ void controls_feel(struct controls *controls, const struct event *event)
     controls->events++;
     switch (event->kind) {
     case EVENT_DOWN:
+        seat(controls, event);
+        gesture_feel(&controls->gestures, event, feel_gesture, &feeling);
+        return;
     case EVENT_MOVE:
     case EVENT_UP:
     case EVENT_CANCEL:
         gesture_feel(&controls->gestures, event, feel_gesture, &feeling);
         return;
     case EVENT_CONTROL:
+    case EVENT_STANDING:
         feel_control(controls, event);
         return;
     case EVENT_LEFT:
@@ -326,7 +253,7 @@ int controls_timeout_ms(const struct controls *controls, uint64_t now_us)
         uint64_t press = contact->used ? press_due_us(&contact->press, &def) : PRESS_NEVER;
         due = press < due ? press : due;
     }
-    if (controls->count > 0) {
+    if (controls->count > 0 || controls->wish_count > 0) {
         return 0;
     }
     if (due == PRESS_NEVER) {
@@ -337,12 +264,15 @@ int controls_timeout_ms(const struct controls *controls, uint64_t now_us)
 
 bool controls_are_held(const struct controls *controls)
 {
+    uint64_t since_us = controls->run_us > CONTROLS_STUCK_US ? controls->run_us - CONTROLS_STUCK_US : 0;
     for (int i = 0; i < CONTACTS; i++) {
-        if (controls->contacts[i].used && controls->contacts[i].press.down) {
+        const struct contact *contact = &controls->contacts[i];
+        bool hand = contact->finger == NOBODY && controls_binding(controls, contact->binding)->what != DO_STAFF;
+        if (contact->used && hand && contact->press.down && contact->press.down_us >= since_us) {
             return true;
         }
     }
-    return gesture_any_down(&controls->gestures);
+    return gesture_any_down(&controls->gestures, since_us);
 }
 
 struct controls_counts controls_counts(const struct controls *controls)
@@ -357,22 +287,19 @@ struct controls_counts controls_counts(const struct controls *controls)
     return counts;
 }
 
-int controls_cursors(const struct controls *controls, struct controls_cursor *cursors, int most)
+void controls_reset(struct controls *controls)
 {
-    bool shared = controls->def.inputs->visitors == VISITORS_SHARED;
-    int count = 0;
-    for (int i = 0; i < OWNERS && count < most; i++) {
-        const struct owner *owner = &controls->owners[i];
-        if (owner->used && owner->moved) {
-            cursors[count++] = (struct controls_cursor){owner->cursor, shared ? controls->shared_ink : owner->ink};
-        }
+    controls_spend_presses(controls);
+    controls_reset_visitors(controls);
+    controls_reset_values(controls);
+    for (int i = 0; i < GESTURE_FINGERS; i++) {
+        stroke_start(&controls->strokes[i], controls->gestures.finger[i].at);
     }
-    return count;
 }
 
-bool controls_undo(struct controls *controls)
+void controls_scene(struct controls *controls, int inks, const struct coefficients *coefficients)
 {
-    bool undo = controls->undo;
-    controls->undo = false;
-    return undo;
+    controls->def.inks = inks;
+    controls->def.coefficients = *coefficients;
+    controls_reset(controls);
 }

@@ -37,26 +37,6 @@ bool controls_action(struct controls *controls, struct action *action, uint64_t 
     return true;
 }
 
-static int ink_of(const struct controls *controls, const struct cause *cause)
-{
-    if (controls->def.inputs->visitors == VISITORS_SHARED) {
-        return controls->shared_ink;
-    }
-    return cause->finger != NOBODY ? controls->finger_ink[cause->finger] : controls->owners[cause->owner].ink;
-}
-
-static void change_ink(struct controls *controls, const struct cause *cause)
-{
-    int ink = (ink_of(controls, cause) + 1) % controls->def.inks;
-    if (controls->def.inputs->visitors == VISITORS_SHARED) {
-        controls->shared_ink = ink;
-    } else if (cause->finger != NOBODY) {
-        controls->finger_ink[cause->finger] = ink;
-    } else {
-        controls->owners[cause->owner].ink = ink;
-    }
-}
-
 static void place(struct queued *queued, const struct binding *binding, const struct cause *cause)
 {
     struct action *action = &queued->action;
@@ -78,14 +58,18 @@ static void place(struct queued *queued, const struct binding *binding, const st
     }
 }
 
-static void size(const struct controls *controls, struct action *action, const struct binding *binding,
-                 const struct cause *cause)
+/* What dials have set of drops. */
+static void dial(const struct controls *controls, struct action *action)
 {
     for (int i = 0; i < PARAMETERS && action->verb == ACTION_DROP; i++) {
         if (controls->has_drop[i]) {
             *parameter_of(action, i) = controls->drop[i];
         }
     }
+}
+
+static void size(struct action *action, const struct binding *binding, const struct cause *cause)
+{
     if (binding->has_length) {
         const struct inputs_length *length = &binding->length;
         float share = (float)cause->length_us / (1000 * (float)length->ms);
@@ -94,15 +78,59 @@ static void size(const struct controls *controls, struct action *action, const s
     }
 }
 
+bool controls_wish(struct controls *controls, struct wish *wish)
+{
+    if (controls->wish_count == 0) {
+        return false;
+    }
+    *wish = controls->wishes[controls->first_wish];
+    controls->first_wish = (controls->first_wish + 1) % CONTROLS_WISHES;
+    controls->wish_count--;
+    return true;
+}
+
+/* `owing`: the end of a switch comes after it, which will want room. */
+static bool push_wish_owing(struct controls *controls, enum wish_kind kind, const struct cause *cause, int owing)
+{
+    if (controls->wish_count + controls->owed + owing >= CONTROLS_WISHES) {
+        controls->dropped++;
+        return false;
+    }
+    controls->owed += owing;
+    controls->wishes[(controls->first_wish + controls->wish_count++) % CONTROLS_WISHES] =
+        (struct wish){kind, controls_visitor_of(controls, cause), cause->down, cause->time_us};
+    return true;
+}
+
+static void push_wish(struct controls *controls, enum wish_kind kind, const struct cause *cause)
+{
+    push_wish_owing(controls, kind, cause, 0);
+}
+
+bool controls_push_switch(struct controls *controls, const struct cause *cause)
+{
+    struct cause down = *cause;
+    down.down = true;
+    return push_wish_owing(controls, WISH_SWITCH, &down, 1);
+}
+
+void controls_push_switch_end(struct controls *controls, const struct cause *cause)
+{
+    struct cause up = *cause;
+    up.down = false;
+    controls->owed--;
+    push_wish_owing(controls, WISH_SWITCH, &up, 0);
+}
+
 void controls_fire(struct controls *controls, int index, const struct cause *cause)
 {
     const struct binding *binding = controls_binding(controls, index);
     if (binding->what == DO_NEXT_INK) {
-        change_ink(controls, cause);
+        controls_change_ink(controls, cause);
         return;
     }
-    if (binding->what == DO_UNDO) {
-        controls->undo = true;
+    if (binding->what >= DO_UNDO && binding->what <= DO_SWITCH) {
+        push_wish(controls, (enum wish_kind)(binding->what - DO_UNDO), cause);
         return;
     }
     if (binding->what != DO_VERB) {
@@ -114,11 +142,75 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         return;
     }
     queued->action = binding->action;
-    if (queued->action.ink < 0) {
-        queued->action.ink = ink_of(controls, cause);
+    queued->action.visitor = controls_visitor_of(controls, cause);
+    if (queued->action.ink < 0 || controls_has_own_ink(controls, cause)) {
+        queued->action.ink = controls_ink_of(controls, cause);
     }
-    size(controls, &queued->action, binding, cause);
+    queued->action.ink %= controls->def.inks; /* a scene may have fewer than the one that the inputs were read for */
+    dial(controls, &queued->action);
+    size(&queued->action, binding, cause);
     place(queued, binding, cause);
+}
+
+static bool taps(const struct binding *binding, enum exhibit_tool tool)
+{
+    bool at_once = binding->when == PRESS_DOWN || binding->when == PRESS_UP || binding->when == PRESS_SHORT;
+    bool press = binding_touches(binding, TOUCH_PRESS, tool) || binding_touches(binding, TOUCH_TAP, tool);
+    return binding->what == DO_VERB && press && at_once;
+}
+
+static bool drags(const struct binding *binding, enum exhibit_tool tool)
+{
+    return binding->what == DO_VERB && binding_touches(binding, TOUCH_DRAG, tool);
+}
+
+static int fire_all(struct controls *controls, bool (*wanted)(const struct binding *binding, enum exhibit_tool tool),
+                    const struct cause *cause)
+{
+    int fired = 0;
+    for (int i = 0; i < controls->def.inputs->binding_count; i++) {
+        if (wanted(controls_binding(controls, i), controls->finger_tool[TAPPER])) {
+            controls_fire(controls, i, cause);
+            fired++;
+        }
+    }
+    return fired;
+}
+
+static void drop_anyway(struct controls *controls, const struct cause *cause)
+{
+    struct queued *queued = push(controls, cause->time_us);
+    if (queued) {
+        queued->action = action_default(ACTION_DROP);
+        queued->action.visitor = controls_visitor_of(controls, cause);
+        queued->action.ink = controls_ink_of(controls, cause) % controls->def.inks;
+        queued->action.at = cause->at;
+        queued->action.has_at = true;
+        dial(controls, &queued->action);
+    }
+}
+
+void controls_tap(struct controls *controls, int visitor, struct point at, uint64_t time_us)
+{
+    int owner = visitor - EXHIBIT_SEATS - 1;
+    bool controller = owner >= 0 && owner < OWNERS && controls->owners[owner].ink >= 0;
+    struct cause cause = {
+        .finger = controller ? NOBODY : TAPPER, .owner = controller ? owner : NOBODY, .at = at, .time_us = time_us};
+    struct stroke dab = {.points = {at, at}, .count = 2, .time_us = time_us};
+    dab.points[at.x < 0.5f ? 1 : 0].x += at.x < 0.5f ? GESTURE_STEP : -GESTURE_STEP; /* rightwards, on the sheet */
+    int seat = controls_seat_at(controls, at);
+    if (controller) {
+        controls->finger_tool[TAPPER] = controls->seats[seat].tool;
+    } else {
+        controls_seat_finger(controls, TAPPER, seat);
+    }
+    if (fire_all(controls, taps, &cause) > 0) {
+        return;
+    }
+    cause.stroke = &dab;
+    if (fire_all(controls, drags, &cause) == 0) {
+        drop_anyway(controls, &cause);
+    }
 }
 
 void controls_push_set(struct controls *controls, int coefficient, float value, uint64_t time_us)

@@ -52,14 +52,37 @@ static struct cause cause_of(struct controls *controls, const struct contact *co
     int owner = contact->finger == NOBODY ? controls_owner(controls, contact->source, contact->device) : NOBODY;
     struct cause cause = controls_cause(controls, contact->finger, owner, time_us);
     cause.length_us = contact->press.length_us;
+    cause.down = contact->press.down;
     return cause;
+}
+
+/* What is down is forgotten; a switch comes up. */
+static void drop(struct controls *controls, struct contact *contact, uint64_t time_us)
+{
+    if (contact->owes) {
+        struct cause cause = cause_of(controls, contact, time_us);
+        controls_push_switch_end(controls, &cause);
+    }
+    contact->used = false;
+}
+
+static void feel_switch(struct controls *controls, struct contact *contact, bool down, uint64_t time_us)
+{
+    struct press_def def = press_def_of(controls_binding(controls, contact->binding));
+    struct cause cause = cause_of(controls, contact, time_us);
+    press_feel(&contact->press, &def, down, time_us);
+    if (!down) {
+        drop(controls, contact, time_us);
+    } else if (!contact->owes) {
+        contact->owes = controls_push_switch(controls, &cause);
+    }
 }
 
 static void feel(struct controls *controls, struct contact *contact, bool down, uint64_t time_us)
 {
     const struct binding *binding = controls_binding(controls, contact->binding);
     struct press_def def = press_def_of(binding);
-    bool fires = press_feel(&contact->press, &def, down, time_us);
+    bool fires = press_feel(&contact->press, &def, down, time_us) && !contact->spent;
     if (fires || down) {
         struct cause cause = cause_of(controls, contact, time_us);
         if (down) {
@@ -78,7 +101,9 @@ void controls_press(struct controls *controls, int binding, int finger, const st
     if (!contact && down) {
         contact = take(controls, binding, finger, event);
     }
-    if (contact) {
+    if (contact && controls_binding(controls, binding)->what == DO_SWITCH) {
+        feel_switch(controls, contact, down, event->time_us);
+    } else if (contact) {
         feel(controls, contact, down, event->time_us);
     }
 }
@@ -93,10 +118,13 @@ void controls_release_finger(struct controls *controls, int finger, uint64_t tim
 {
     for (int i = 0; i < CONTACTS; i++) {
         struct contact *contact = &controls->contacts[i];
-        if (contact->used && contact->finger == finger && fires && contact->press.down) {
+        if (!contact->used || contact->finger != finger) {
+            continue;
+        }
+        if (!fires || contact->owes) {
+            drop(controls, contact, time_us);
+        } else if (contact->press.down) {
             feel(controls, contact, false, time_us);
-        } else if (contact->used && contact->finger == finger && !fires) {
-            contact->used = false;
         }
     }
 }
@@ -123,13 +151,22 @@ void controls_spoil_finger(struct controls *controls, int finger)
     }
 }
 
-void controls_forget_device(struct controls *controls, enum event_source source, uint32_t device)
+void controls_forget_device(struct controls *controls, enum event_source source, uint32_t device, uint64_t time_us)
 {
     for (int i = 0; i < CONTACTS; i++) {
         struct contact *contact = &controls->contacts[i];
         if (contact->used && contact->finger == NOBODY && contact->source == source && contact->device == device) {
-            contact->used = false;
+            drop(controls, contact, time_us);
         }
+    }
+}
+
+void controls_spend_presses(struct controls *controls)
+{
+    for (int i = 0; i < CONTACTS; i++) {
+        struct contact *contact = &controls->contacts[i];
+        contact->spent = contact->used;
+        contact->used = contact->used && contact->press.down;
     }
 }
 
@@ -159,7 +196,7 @@ void controls_run_presses(struct controls *controls, uint64_t now_us)
 {
     for (int i = 0; i < CONTACTS; i++) {
         struct contact *contact = &controls->contacts[i];
-        if (!contact->used) {
+        if (!contact->used || contact->spent) {
             continue;
         }
         struct press_def def = press_def_of(controls_binding(controls, contact->binding));

@@ -1,5 +1,6 @@
-/* The inside of the controls: controls.c hears events, controls_press.c knows what is held down, controls_value.c where
- * axes and cursors stand, controls_fire.c makes the actions. Private to them. */
+/* The inside of the controls: controls.c hears events, controls_visitor.c knows whose they are, controls_press.c what
+ * is held down, controls_value.c where axes and cursors stand, controls_fire.c makes actions and wishes. Private to
+ * them. */
 #ifndef FROND_CONTROLS_STATE_H
 #define FROND_CONTROLS_STATE_H
 
@@ -7,17 +8,27 @@
 #include "gesture.h"
 #include "stroke.h"
 
-enum { CONTACTS = 128, OWNERS = 64, KNOWN = 64, NOBODY = -1 };
+enum { CONTACTS = 128, OWNERS = 64, KNOWN = 64, NOBODY = -1, TAPPER = GESTURE_FINGERS /* the finger of taps */ };
 
-/* A controller as a visitor. */
+struct seat {
+    float zone[4]; /* left, top, right, bottom in 0..1 of the sheet */
+    int own_ink;   /* -1: none */
+    int ink;       /* chosen; -1: none */
+    enum exhibit_tool tool;
+};
+
+/* A controller as a visitor; its number is the visitor's for good. */
 struct owner {
-    bool used, moved; /* `moved`: it has a point on the sheet */
+    bool used, there; /* `there`: plugged in */
+    bool moved;       /* it has a point on the sheet */
     enum event_source source;
     uint32_t device;
-    int ink;
+    uint64_t identity; /* as of struct known */
+    int ink;           /* -1: the next, when it does something */
     struct point cursor;
-    float pace[2];    /* sheets a second, x and y */
-    uint64_t time_us; /* of the event that moved it last; 0: told */
+    float pace[2];     /* sheets a second, x and y */
+    uint64_t time_us;  /* of the event that moved it last; 0: told */
+    uint64_t moved_us; /* when its point was elsewhere */
 };
 
 /* A button that is down, or waits to be pressed again, for one binding. */
@@ -28,6 +39,8 @@ struct contact {
     enum event_source source;
     uint32_t device, control;
     int index;
+    bool spent; /* of a visit that is over: nothing comes of it but the end of a switch */
+    bool owes;  /* a switch whose end is still to be told */
     struct press press;
     struct stroke stroke; /* of the cursor since it is down, for verbs with a path */
 };
@@ -36,6 +49,7 @@ struct known { /* which entries of the file a device is: a bit each */
     bool used;
     enum event_source source;
     uint32_t device;
+    uint64_t identity; /* the same when it comes back, by what is known of it; 0: unknown */
     uint32_t controllers, keyboards;
 };
 
@@ -51,17 +65,21 @@ struct cause {
     int finger, owner; /* one of them is NOBODY */
     struct point at;
     const struct stroke *stroke; /* NULL: a point */
+    bool down;
     uint64_t time_us, length_us;
 };
 
 struct controls {
     struct controls_def def;
     struct gestures gestures;
-    int finger_ink[GESTURE_FINGERS];
+    bool pairs[TOOLS]; /* it has a use for two fingers of a hand */
+    struct seat seats[EXHIBIT_SEATS];
+    int seat_count;
+    int finger_seat[GESTURE_FINGERS + 1], finger_ink[GESTURE_FINGERS + 1];
+    enum exhibit_tool finger_tool[GESTURE_FINGERS + 1];
     struct stroke strokes[GESTURE_FINGERS];
     bool paired[GESTURE_FINGERS]; /* the stroke is that of two fingers */
     int next_ink, shared_ink;
-    bool undo; /* asked for, and not yet taken */
     struct owner owners[OWNERS];
     struct contact contacts[CONTACTS];
     struct known known[KNOWN];
@@ -76,6 +94,9 @@ struct controls {
     int pushed;                 /* since then */
     struct queued queue[CONTROLS_ACTIONS];
     int first, count;
+    struct wish wishes[CONTROLS_WISHES];
+    int first_wish, wish_count;
+    int owed; /* ends of switches, which always have room */
     uint64_t events, actions, dropped;
 };
 
@@ -84,13 +105,37 @@ static inline const struct binding *controls_binding(const struct controls *cont
     return &controls->def.inputs->bindings[binding];
 }
 
-/* The visitor that a device is; made when it is first asked for. */
+static inline bool binding_touches(const struct binding *binding, int touch, enum exhibit_tool tool)
+{
+    return binding->source == BINDING_TOUCH && binding->touch == touch && binding->tool == (int)tool;
+}
+
+/* controls_visitor.c */
+void controls_start_seats(struct controls *controls);
+/* Inks, tools and points as at first; a finger that is down stays where it is seated. */
+void controls_reset_visitors(struct controls *controls);
+int controls_seat_at(const struct controls *controls, struct point at);
+/* A finger is the seat's: it has its tool, and an ink. */
+void controls_seat_finger(struct controls *controls, int finger, int seat);
+/* The controller that a device is as a visitor; made when it is first asked for. */
 int controls_owner(struct controls *controls, enum event_source source, uint32_t device);
+/* Whether an event comes from the device that a binding names. */
+bool controls_is_device(struct controls *controls, const struct binding *binding, const struct event *event);
+void controls_part(struct controls *controls, enum event_source source, uint32_t device);
+int controls_visitor_of(const struct controls *controls, const struct cause *cause);
+int controls_ink_of(const struct controls *controls, const struct cause *cause);
+bool controls_has_own_ink(const struct controls *controls, const struct cause *cause);
+void controls_change_ink(struct controls *controls, const struct cause *cause);
+
 struct cause controls_cause(const struct controls *controls, int finger, int owner, uint64_t time_us);
 
 /* controls_fire.c: the action of the binding `index` happens. */
 void controls_fire(struct controls *controls, int index, const struct cause *cause);
 void controls_push_set(struct controls *controls, int coefficient, float value, uint64_t time_us);
+/* A switch goes down. False: there is no room to tell it. */
+bool controls_push_switch(struct controls *controls, const struct cause *cause);
+/* It comes up, once for each that went down. */
+void controls_push_switch_end(struct controls *controls, const struct cause *cause);
 
 /* controls_press.c */
 void controls_press(struct controls *controls, int binding, int finger, const struct event *event, bool down);
@@ -99,7 +144,9 @@ void controls_release_finger(struct controls *controls, int finger, uint64_t tim
 void controls_keep_near(struct controls *controls, int finger, struct point at);
 /* It has moved: no tap, no long press. */
 void controls_spoil_finger(struct controls *controls, int finger);
-void controls_forget_device(struct controls *controls, enum event_source source, uint32_t device);
+void controls_forget_device(struct controls *controls, enum event_source source, uint32_t device, uint64_t time_us);
+/* Nothing comes any more of what is down. */
+void controls_spend_presses(struct controls *controls);
 void controls_run_presses(struct controls *controls, uint64_t now_us);
 bool controls_is_pressed(const struct controls *controls, int binding, const struct event *event);
 
@@ -113,6 +160,8 @@ void controls_move_finger(struct controls *controls, int index, const struct ges
 void controls_nudge(struct controls *controls, int index, const struct cause *cause);
 void controls_run_values(struct controls *controls, uint64_t now_us);
 void controls_run_cursors(struct controls *controls, uint64_t now_us);
+/* Axes and dials as at first. */
+void controls_reset_values(struct controls *controls);
 bool controls_values_move(const struct controls *controls);
 
 #endif

@@ -33,6 +33,7 @@ static void shift(struct owner *owner, float x, float y, uint64_t time_us)
     owner->cursor = (struct point){into(owner->cursor.x + x), into(owner->cursor.y + y)};
     owner->moved = true;
     owner->time_us = time_us;
+    owner->moved_us = time_us > owner->moved_us ? time_us : owner->moved_us;
 }
 
 static void point_at(struct owner *owner, const struct binding *binding, const struct event *event)
@@ -66,7 +67,11 @@ static void fire_steps(struct controls *controls, int index, float steps, const 
     }
     whole = whole < 0 ? -whole : whole;
     for (int i = 0; i < whole && i < BURST; i++) {
-        controls_fire(controls, index, cause);
+        if (controls_binding(controls, index)->what != DO_SWITCH) {
+            controls_fire(controls, index, cause);
+        } else if (controls_push_switch(controls, cause)) {
+            controls_push_switch_end(controls, cause);
+        }
     }
 }
 
@@ -113,7 +118,7 @@ void controls_move_finger(struct controls *controls, int index, const struct ges
         controls->axis_time_us[index] = gesture->time_us;
     } else if (pinch) {
         fire_steps(controls, index, gesture->value / PINCH_STEPS, &cause);
-    } else if (binding->what == DO_NEXT_INK) {
+    } else if (binding->what != DO_VERB) {
         fire_steps(controls, index, up / (10 * GESTURE_STEP), &cause);
     }
 }
@@ -168,7 +173,36 @@ void controls_run_cursors(struct controls *controls, uint64_t now_us)
         struct owner *owner = &controls->owners[i];
         if (goes(owner)) {
             shift(owner, owner->pace[0] * seconds, owner->pace[1] * seconds, owner->time_us);
+            owner->moved_us = now_us;
         }
+    }
+}
+
+/* The value of a coefficient or of a drop's parameter as it is before anybody turns anything. */
+static float initial_value(const struct controls_def *def, const struct binding *binding)
+{
+    static const char *const NAMES[PARAMETERS] = {"radius", "solvent", "amount"};
+    if (binding->what == DO_DIAL) {
+        return (float)key_find(action_keys(ACTION_DROP), NAMES[binding->parameter])->initial;
+    }
+    const struct key *key = &coefficient_keys[binding->coefficient];
+    const char *at = (const char *)&def->coefficients + key->offset;
+    return key->type == KEY_NUMBER ? *(const float *)(const void *)at : (float)*(const int *)(const void *)at;
+}
+
+void controls_reset_values(struct controls *controls)
+{
+    for (int i = 0; i < controls->def.inputs->binding_count; i++) {
+        const struct binding *binding = controls_binding(controls, i);
+        if (binding->what == DO_TURN || binding->what == DO_DIAL) {
+            controls->axes[i] = axis_start(&binding->axis, initial_value(&controls->def, binding));
+        }
+        controls->axis_time_us[i] = 0;
+        controls->rest[i] = 0;
+        controls->has_moved[i] = false;
+    }
+    for (int i = 0; i < PARAMETERS; i++) {
+        controls->has_drop[i] = false;
     }
 }
 

@@ -51,8 +51,8 @@ static int companion(const struct gestures *gestures, int index)
     for (int i = 0; i < GESTURE_FINGERS; i++) {
         const struct finger *other = &gestures->finger[i];
         if (i != index && other->down && other->partner == 0 && other->source == finger->source &&
-            other->device == finger->device && finger->down_us - other->down_us <= GESTURE_PAIR_US &&
-            distance(other->at, finger->at) < GESTURE_NEAR) {
+            other->device == finger->device && other->group == finger->group &&
+            finger->down_us - other->down_us <= GESTURE_PAIR_US && distance(other->at, finger->at) < GESTURE_NEAR) {
             return i;
         }
     }
@@ -74,7 +74,9 @@ static void come_down(struct gestures *gestures, const struct event *event, cons
                               .source = event->source,
                               .device = event->device,
                               .slot = event->slot,
+                              .group = gestures->group,
                               .down_us = event->time_us,
+                              .heard_us = event->time_us,
                               .start = at,
                               .at = at,
                               .said = at};
@@ -115,6 +117,7 @@ static void move(struct gestures *gestures, int index, const struct event *event
 {
     struct finger *finger = &gestures->finger[index];
     finger->at = (struct point){event->x, event->y};
+    finger->heard_us = event->time_us;
     if (finger->partner > 0) {
         move_pair(gestures, index, telling);
         return;
@@ -183,10 +186,10 @@ void gesture_leave(struct gestures *gestures, enum event_source source, uint32_t
     }
 }
 
-bool gesture_any_down(const struct gestures *gestures)
+bool gesture_any_down(const struct gestures *gestures, uint64_t since_us)
 {
     for (int i = 0; i < GESTURE_FINGERS; i++) {
-        if (gestures->finger[i].down) {
+        if (gestures->finger[i].down && gestures->finger[i].heard_us >= since_us) {
             return true;
         }
     }

@@ -36,15 +36,16 @@ struct gesture {
 };
 
 struct gestures { /* all zero: no finger */
-    bool pairs;   /* two fingers of a hand are a gesture of their own; else every finger is for itself */
+    bool pairs; /* two fingers of a hand are a gesture of their own; else every finger that comes down is for itself */
+    int group;  /* of fingers that come down: those of two groups are never of one hand */
     struct finger {
         bool down, moved;
         bool leads;  /* of two: the one that came down first */
         int partner; /* the other of two, + 1; 0: none; -1: there was one, and it has left */
         enum event_source source;
         uint32_t device;
-        int slot;
-        uint64_t down_us;
+        int slot, group;
+        uint64_t down_us, heard_us; /* of its first event, of its last */
         struct point start, at, said;
         float spread; /* of two, as told last; in the first of them, as is what was said of both */
     } finger[GESTURE_FINGERS];
@@ -57,6 +58,7 @@ void gesture_feel(struct gestures *gestures, const struct event *event, gesture_
 /* The device has left: its fingers are cancelled. */
 void gesture_leave(struct gestures *gestures, enum event_source source, uint32_t device, uint64_t time_us,
                    gesture_emit *emit, void *user);
-bool gesture_any_down(const struct gestures *gestures);
+/* A finger is down that has told something since then. */
+bool gesture_any_down(const struct gestures *gestures, uint64_t since_us);
 
 #endif

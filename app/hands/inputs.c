@@ -8,10 +8,7 @@
 
 void inputs_wrong_kind(struct reader *reader, const struct yaml_node *node, const char *allowed)
 {
-    char found[128];
-    if (node->kind != YAML_REFUSED) {
-        reader_problem(reader, node, "%s; %s", yaml_found(node, found, sizeof found), allowed);
-    }
+    value_wrong_kind(reader, node, allowed);
 }
 
 int inputs_list(struct reader *reader, const struct yaml_node *node, const char *name, int most, const char *allowed,
@@ -63,17 +60,6 @@ static void read_mapping(struct reader *reader, const struct yaml_node *root, co
     reader_leave(reader, length);
 }
 
-static void read_root(struct reader *reader, const struct yaml_node *root, struct inputs *inputs)
-{
-    struct value_reading reading = {.read = read_scalar};
-    mapping_read(reader, inputs_keys, root, inputs, &reading);
-    read_mapping(reader, root, "touch", touch_keys, inputs, "{touchscreens: true, pointers: false}");
-    inputs_read_devices(reader, root, inputs);
-    read_mapping(reader, root, "gpio", gpio_keys, inputs, "{buttons: [...], encoders: [...], lamps: [...]}");
-    inputs_read_lines(reader, root, inputs);
-    inputs_read_bindings(reader, root, inputs);
-}
-
 static void default_scalars(const struct key *keys, struct inputs *inputs)
 {
     for (; keys->name; keys++) {
@@ -82,6 +68,20 @@ static void default_scalars(const struct key *keys, struct inputs *inputs)
             key_defaults(one, inputs);
         }
     }
+}
+
+static void read_root(struct reader *reader, const struct yaml_node *root, const struct key *keys,
+                      struct inputs *inputs)
+{
+    struct value_reading reading = {.read = read_scalar};
+    default_scalars(inputs_keys, inputs);
+    default_scalars(touch_keys, inputs);
+    mapping_read(reader, keys, root, inputs, &reading);
+    read_mapping(reader, root, "touch", touch_keys, inputs, "{touchscreens: true, pointers: false}");
+    inputs_read_devices(reader, root, inputs);
+    read_mapping(reader, root, "gpio", gpio_keys, inputs, "{buttons: [...], encoders: [...], lamps: [...]}");
+    inputs_read_lines(reader, root, inputs);
+    inputs_read_bindings(reader, root, inputs);
 }
 
 /* What a reader keeps its memory in; its inks and its grid are the session's. */
@@ -120,16 +120,32 @@ struct inputs *inputs_parse(const char *text, size_t size, const char *folder, c
         report_add(report, root->line, root->column, "", "%s where inputs should be; inputs: 1, and a list of bindings",
                    yaml_found(root, found, sizeof found));
     } else {
-        default_scalars(inputs_keys, inputs);
-        default_scalars(touch_keys, inputs);
         struct reader reader = {.report = report, .script = inputs->memory, .def = def, .folder = folder};
-        read_root(&reader, root, inputs);
+        read_root(&reader, root, inputs_keys, inputs);
     }
     yaml_destroy(yaml);
     if (!report_empty(report)) {
         inputs_destroy(inputs);
         return NULL;
     }
+    return inputs;
+}
+
+struct inputs *inputs_section(struct reader *outer, const struct yaml_node *node, const struct script *session)
+{
+    struct inputs *inputs = calloc(1, sizeof *inputs);
+    struct reader reader = *outer;
+    if (inputs) {
+        inputs->memory = open_memory(session);
+    }
+    if (!inputs || !inputs->memory) {
+        report_add(outer->report, 0, 0, "", "memory is short");
+        inputs_destroy(inputs);
+        return NULL;
+    }
+    reader.script = inputs->memory;
+    read_root(&reader, node, inputs_keys + 1, inputs); /* the first is the version */
+    outer->raster_values = reader.raster_values;
     return inputs;
 }
 

@@ -31,9 +31,10 @@ enum {
     INPUTS_VERSION = 1,
     INPUTS_KEYBOARDS = 8,
     INPUTS_CONTROLLERS = 16,
-    INPUTS_MAP = 64,   /* entries of one controller */
-    INPUTS_LINES = 32, /* buttons, encoders, lamps: of each */
-    INPUTS_BINDINGS = 128,
+    INPUTS_MAP = 64,       /* entries of one controller */
+    INPUTS_LINES = 32,     /* buttons, encoders, lamps: of each */
+    INPUTS_WRITTEN = 128,  /* bindings of a file */
+    INPUTS_BINDINGS = 160, /* with the default ones of tools that it has none for */
     INPUTS_MS_MAX = 60000,
 };
 
@@ -77,20 +78,47 @@ struct inputs_lines {        /* a button, an encoder or a lamp */
     int button;            /* in buttons[]; -1: none */
 };
 
+/* A lamp of a controller: an output of its own usage, or bits of an output report. */
+struct inputs_light {
+    const char *id;
+    int controller; /* in controllers[] */
+    uint32_t usage; /* 0: the bits */
+    const char *usage_name;
+    int index, report, bit, bits;
+    int most;        /* what is full brightness; 0: all bits */
+    uint32_t button; /* the usage whose presses light it; 0: none */
+    const char *button_name;
+};
+
 enum binding_source { BINDING_TOUCH, BINDING_USAGE, BINDING_BUTTON, BINDING_ENCODER, BINDING_KEY, BINDING_SOURCES };
 enum binding_touch { TOUCH_PRESS, TOUCH_TAP, TOUCH_LONG, TOUCH_DRAG, TOUCH_TWO, TOUCH_PINCH };
 /* enum press_when, and: */
 enum { BINDING_MOVE = PRESS_WHENS, BINDING_WHENS };
 enum binding_way { WAY_ANY, WAY_UP, WAY_DOWN, WAY_LEFT, WAY_RIGHT };
 enum binding_where { WHERE_THERE, WHERE_SHEET };
-/* What happens once, then what follows a value. */
-enum binding_do { DO_VERB, DO_NEXT_INK, DO_UNDO, DO_CURSOR, DO_TURN, DO_DIAL };
+/* What happens once, wishes (enum wish_kind) among it, then what follows a value. */
+enum binding_do {
+    DO_VERB,
+    DO_NEXT_INK,
+    DO_UNDO,
+    DO_REDO,
+    DO_FINISH,
+    DO_STAFF,
+    DO_NEXT_TOOL,
+    DO_NEXT_SCENE,
+    DO_NEXT_LANGUAGE,
+    DO_SWITCH,
+    DO_CURSOR,
+    DO_TURN,
+    DO_DIAL,
+};
 enum binding_parameter { PARAMETER_RADIUS, PARAMETER_SOLVENT, PARAMETER_AMOUNT, PARAMETERS };
 
 struct binding {
     /* Where it comes from. */
     enum binding_source source;
     int touch;        /* enum binding_touch */
+    int tool;         /* enum exhibit_tool: of BINDING_TOUCH, only fingers that have it */
     uint32_t control; /* as in struct event */
     int device;       /* in controllers[] or keyboards[]; -1: any */
     int index;        /* HID: which of several of one usage; -1: any */
@@ -131,9 +159,11 @@ struct inputs {
     int keyboard_count, controller_count;
     struct inputs_lines buttons[INPUTS_LINES], encoders[INPUTS_LINES], lamps[INPUTS_LINES];
     int button_count, encoder_count, lamp_count;
+    struct inputs_light lights[INPUTS_LINES]; /* lamps of controllers; their numbers follow those of lamps[] */
+    int light_count;
     struct binding bindings[INPUTS_BINDINGS];
-    int binding_count;
-    struct script *memory; /* texts and rasters */
+    int binding_count, written_count; /* those that the file itself has come first */
+    struct script *memory;            /* texts and rasters */
 };
 
 /* Reads a file or a text. `session`: the script whose inks and grid it is for; NULL: inks by any name. NULL comes back
@@ -143,7 +173,8 @@ struct inputs *inputs_read(const char *path, const struct script *session, const
 struct inputs *inputs_parse(const char *text, size_t size, const char *folder, const struct script *session,
                             const struct script_def *def, struct report *report);
 void inputs_destroy(struct inputs *inputs); /* takes NULL */
-/* What counts where no file is given: fingers paint, gamepads have a cursor, space mice and dials turn coefficients. */
+/* What counts where no file is given: fingers do what their tool is for, gamepads have a cursor, space mice and dials
+ * turn coefficients. A file without any touch binding for a tool has those of the default for it. */
 const char *inputs_default_text(void);
 struct inputs *inputs_default(const struct script *session);
 /* Whether a text means to be an inputs file: its top has the key `inputs`. */

@@ -1,17 +1,19 @@
 #include <string.h>
 
+#include "exhibit.h"
 #include "inputs_read.h"
 #include "key_names.h"
 #include "script_action.h"
 #include "stroke.h"
 
-enum { ROWS_MAX = 48 };
+enum { ROWS_MAX = 64 };
 
 /* What a binding is made of, before it is put together. */
 struct parts {
     struct key rows[ROWS_MAX]; /* its own keys, the verbs, the actions that are no verbs */
     const struct inputs *inputs;
     const struct yaml_node *usage, *button, *encoder, *key, *controller, *length;
+    const struct yaml_node *tool; /* NULL: not given */
     const struct yaml_node *what; /* the parameters of the action */
     const char *what_name, *source_name;
 };
@@ -59,6 +61,7 @@ static bool read_part(struct reader *reader, const struct key *key, const struct
         if (strcmp(key->name, "touch") == 0) {
             take_source(reader, parts, key->name, node);
         }
+        parts->tool = strcmp(key->name, "tool") == 0 ? node : parts->tool;
         return value_read(reader, key, node, object);
     }
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
@@ -191,12 +194,35 @@ static bool read_source(struct reader *reader, const struct yaml_node *item, con
         binding->control =
             (uint32_t)(find_id(reader, "encoder", "gpio.encoders", parts->encoder, &names) + inputs->button_count);
     }
+    if (parts->tool && binding->source != BINDING_TOUCH) {
+        size_t length = reader_enter(reader, "tool");
+        reader_problem(reader, parts->tool, "goes with touch, not with %s; fingers have tools", parts->source_name);
+        reader_leave(reader, length);
+    }
     if (parts->controller && !parts->usage && !parts->key) {
         size_t length = reader_enter(reader, "controller");
         reader_problem(reader, parts->controller, "goes with usage or key, not with %s", parts->source_name);
         reader_leave(reader, length);
     }
     return true;
+}
+
+/* A switch is told both when it goes down and when it comes up. */
+static void check_switch(struct reader *reader, const struct yaml_node *item, const struct yaml_node *when,
+                         const struct binding *binding)
+{
+    bool gesture = binding->source == BINDING_TOUCH && binding->touch != TOUCH_PRESS;
+    if (binding->what != DO_SWITCH) {
+        return;
+    }
+    size_t length = reader_enter(reader, "switch");
+    if (gesture || binding->source == BINDING_ENCODER) {
+        reader_problem(reader, yaml_get(item, "switch"),
+                       "goes down and comes up; touch: press, a usage, a button or a key");
+    } else if (when && binding->when != PRESS_DOWN) {
+        reader_problem(reader, yaml_get(item, "switch"), "is told of every press and its end; without when");
+    }
+    reader_leave(reader, length);
 }
 
 /* What `when` is where none is given, and whether the one that is fits the source. */
@@ -217,6 +243,7 @@ static void read_when(struct reader *reader, const struct yaml_node *item, struc
         reader_problem(reader, when, "an encoder is turned, not pressed; move, or a button for its push button");
     }
     reader_leave(reader, length);
+    check_switch(reader, item, when, binding);
     if (!when) {
         binding->when = touch ? OF_TOUCH[binding->touch] : encoder || value ? BINDING_MOVE : PRESS_DOWN;
     }
@@ -327,7 +354,8 @@ static void read_what(struct reader *reader, const struct parts *parts, struct b
         read_cursor(reader, node, binding);
     } else {
         static const struct key nothing[] = {{.name = NULL}};
-        binding->what = strcmp(parts->what_name, "undo") == 0 ? DO_UNDO : DO_NEXT_INK;
+        const struct key *key = key_find(binding_do_keys, parts->what_name);
+        binding->what = (enum binding_do)(DO_NEXT_INK + (key - binding_do_keys));
         mapping_read(reader, nothing, node, binding, NULL);
     }
     reader_leave(reader, length);
@@ -451,9 +479,37 @@ static void let_short_wait(struct inputs *inputs)
     }
 }
 
+/* Tools without a touch binding have the default ones. */
+static void read_default_tools(struct reader *reader, struct inputs *inputs)
+{
+    bool written[TOOLS] = {false};
+    inputs->written_count = inputs->binding_count;
+    const char *text = inputs_default_text();
+    for (int i = 0; i < inputs->binding_count; i++) {
+        const struct binding *binding = &inputs->bindings[i];
+        if (binding->source == BINDING_TOUCH && binding->tool >= 0 && binding->tool < TOOLS) {
+            written[binding->tool] = true;
+        }
+    }
+    struct yaml *yaml = yaml_parse(text, strlen(text), reader->report);
+    const struct yaml_node *list = yaml ? yaml_get(yaml_root(yaml), "bindings") : NULL;
+    for (const struct yaml_node *item = list ? list->first : NULL; item; item = item->next) {
+        struct binding *binding = &inputs->bindings[inputs->binding_count];
+        if (yaml_get(item, "touch") && inputs->binding_count < INPUTS_BINDINGS) {
+            read_binding(reader, item, 0, inputs);
+            if (written[binding->tool]) {
+                *binding = (struct binding){.tool = 0};
+                inputs->binding_count--;
+            }
+        }
+    }
+    yaml_destroy(yaml);
+}
+
 void inputs_read_bindings(struct reader *reader, const struct yaml_node *root, struct inputs *inputs)
 {
-    inputs_list(reader, root, "bindings", INPUTS_BINDINGS, "a list of {source: ..., action: {...}}", read_binding,
+    inputs_list(reader, root, "bindings", INPUTS_WRITTEN, "a list of {source: ..., action: {...}}", read_binding,
                 inputs);
+    read_default_tools(reader, inputs);
     let_short_wait(inputs);
 }

@@ -8,7 +8,8 @@ struct device_reading {
     struct inputs_device *devices;
     int *count;
     const struct key *keys;
-    const struct yaml_node *map;
+    const struct yaml_node *map, *lights;
+    struct inputs *inputs;
 };
 
 /* Digits of base 16, at most `most` of them, with or without 0x. */
@@ -65,7 +66,7 @@ static bool read_device_key(struct reader *reader, const struct key *key, const 
     struct inputs_device *device = object;
     struct device_reading *reading = context;
     if (inputs_is_section(key)) {
-        reading->map = node;
+        *(strcmp(key->name, "map") == 0 ? &reading->map : &reading->lights) = node;
         return true;
     }
     if (strcmp(key->name, "vendor") == 0) {
@@ -97,6 +98,44 @@ static void read_map_entry(struct reader *reader, const struct yaml_node *item, 
     device->map_count++;
 }
 
+static void read_usage_of(struct reader *reader, const struct yaml_node *item, const char *key, const char *name,
+                          uint32_t *usage)
+{
+    if (name) {
+        size_t length = reader_enter(reader, key);
+        inputs_usage(reader, yaml_get(item, key), name, usage);
+        reader_leave(reader, length);
+    }
+}
+
+static void read_light(struct reader *reader, const struct yaml_node *item, int index, void *context)
+{
+    struct device_reading *reading = context;
+    struct inputs *inputs = reading->inputs;
+    (void)index;
+    if (item->kind != YAML_MAPPING) {
+        inputs_wrong_kind(reader, item, "{id: WORD, usage: NAME, ...} or {id: WORD, bit: N, bits: N, ...}");
+        return;
+    }
+    if (inputs->light_count == INPUTS_LINES) {
+        reader_problem(reader, item, "lamps of all controllers: at most %d", INPUTS_LINES);
+        return;
+    }
+    struct inputs_light *light = &inputs->lights[inputs->light_count];
+    key_defaults(light_keys, light);
+    mapping_read(reader, light_keys, item, light, NULL);
+    light->controller = *reading->count;
+    read_usage_of(reader, item, "usage", light->usage_name, &light->usage);
+    read_usage_of(reader, item, "button", light->button_name, &light->button);
+    bool bits = yaml_get(item, "bit");
+    if (!yaml_get(item, "usage") && !bits) {
+        reader_problem(reader, item, "nothing says where it is; usage, or bit: its first bit in the output report");
+    } else if (yaml_get(item, "usage") && bits) {
+        reader_problem(reader, yaml_get(item, "bit"), "usage says where it is already; one of both");
+    }
+    inputs->light_count++;
+}
+
 static void check_device(struct reader *reader, const struct yaml_node *item, const struct device_reading *reading)
 {
     const struct inputs_device *device = &reading->devices[*reading->count];
@@ -122,7 +161,7 @@ static void read_device(struct reader *reader, const struct yaml_node *item, int
         return;
     }
     key_defaults(reading->keys, device);
-    reading->map = NULL;
+    reading->map = reading->lights = NULL;
     struct value_reading value = {read_device_key, reading};
     mapping_read(reader, reading->keys, item, device, &value);
     check_device(reader, item, reading);
@@ -133,14 +172,19 @@ static void read_device(struct reader *reader, const struct yaml_node *item, int
                         read_map_entry, device);
         }
     }
+    if (reading->lights) {
+        inputs_list(reader, item, "lights", INPUTS_LINES, "a list of {id: WORD, usage: NAME, ...}", read_light,
+                    reading);
+    }
     (*reading->count)++;
 }
 
 void inputs_read_devices(struct reader *reader, const struct yaml_node *root, struct inputs *inputs)
 {
     static const char ALLOWED[] = "a list of {id: WORD, vendor: 077d, product: 0410, name: TEXT}";
-    struct device_reading keyboards = {inputs->keyboards, &inputs->keyboard_count, keyboard_keys, NULL};
-    struct device_reading controllers = {inputs->controllers, &inputs->controller_count, controller_keys, NULL};
+    struct device_reading keyboards = {inputs->keyboards, &inputs->keyboard_count, keyboard_keys, NULL, NULL, inputs};
+    struct device_reading controllers = {
+        inputs->controllers, &inputs->controller_count, controller_keys, NULL, NULL, inputs};
     inputs_list(reader, root, "keyboards", INPUTS_KEYBOARDS, ALLOWED, read_device, &keyboards);
     inputs_list(reader, root, "controllers", INPUTS_CONTROLLERS, ALLOWED, read_device, &controllers);
 }

@@ -1,4 +1,4 @@
-/* The parts of reading an inputs file. Private to inputs*.c. */
+/* The parts of reading an inputs file. Private to inputs*.c, and to exhibit*.c, which have them as a section. */
 #ifndef FROND_INPUTS_READ_H
 #define FROND_INPUTS_READ_H
 
@@ -10,12 +10,13 @@ extern const struct key touch_keys[];      /* over struct inputs */
 extern const struct key keyboard_keys[];   /* over struct inputs_device */
 extern const struct key controller_keys[]; /* over struct inputs_device */
 extern const struct key map_keys[];        /* over struct inputs_map */
+extern const struct key light_keys[];      /* over struct inputs_light */
 extern const struct key gpio_keys[];       /* sections */
 extern const struct key button_keys[];     /* over struct inputs_lines */
 extern const struct key encoder_keys[];    /* over struct inputs_lines */
 extern const struct key lamp_keys[];       /* over struct inputs_lines */
 extern const struct key binding_keys[];    /* over struct binding; a verb or one of the actions below comes with them */
-extern const struct key binding_do_keys[]; /* sections: next_ink, undo, cursor, turn, dial */
+extern const struct key binding_do_keys[]; /* sections: next_ink, ..., in the order of enum binding_do */
 extern const struct key turn_keys[];       /* over struct binding */
 extern const struct key dial_keys[];       /* over struct binding */
 extern const struct key cursor_keys[];     /* over struct binding */
@@ -34,6 +35,8 @@ bool inputs_usage(struct reader *reader, const struct yaml_node *node, const cha
 
 void inputs_read_devices(struct reader *reader, const struct yaml_node *root, struct inputs *inputs);
 void inputs_read_lines(struct reader *reader, const struct yaml_node *root, struct inputs *inputs);
+/* All of it from a mapping without the version. Problems go to the report; NULL when memory is short. */
+struct inputs *inputs_section(struct reader *outer, const struct yaml_node *node, const struct script *session);
 /* After the others, whose ids it names. */
 void inputs_read_bindings(struct reader *reader, const struct yaml_node *root, struct inputs *inputs);
 

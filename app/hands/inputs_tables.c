@@ -1,5 +1,4 @@
-#include <string.h>
-
+#include "exhibit.h"
 #include "hid_report.h"
 #include "inputs_read.h"
 
@@ -79,6 +78,7 @@ const struct key controller_keys[] = {
     DEVICE,
     FLAG("refuse", struct inputs_device, refuse, 0, "Whether it is never to act, whatever it is."),
     SECTION("map", "A list of what bits of its reports mean, where it does not say so itself."),
+    SECTION("lights", "A list of its lamps."),
     END,
 };
 
@@ -95,6 +95,22 @@ const struct key map_keys[] = {
     WHOLE("min", MAP, min, "", -2147483647, 2147483647, 0, false,
           "Value at one end; with max 0 as well: all that the bits hold."),
     WHOLE("max", MAP, max, "", -2147483647, 2147483647, 0, false, "Value at the other end; below min it is turned."),
+    END,
+};
+
+#define LIGHT struct inputs_light
+const struct key light_keys[] = {
+    TEXT("id", LIGHT, id, "a word", ID_BYTES, true, "What the log calls it."),
+    TEXT("usage", LIGHT, usage_name, "a HID usage", NAME_BYTES, false,
+         "The output that lights it, where the controller names one: `LED: Power`."),
+    WHOLE("index", LIGHT, index, "", 0, 1023, 0, false, "Which of several outputs of that usage."),
+    WHOLE("report", LIGHT, report, "", 0, 255, 0, false,
+          "Without usage: id of the output report; 0 where they have none."),
+    WHOLE("bit", LIGHT, bit, "bits", 0, 65535, 0, false, "Without usage: first bit, after the id."),
+    WHOLE("bits", LIGHT, bits, "bits", 1, 32, 1, false, "Without usage: how many."),
+    WHOLE("most", LIGHT, most, "", 0, 2147483647, 0, false, "Without usage: full brightness; 0: all bits."),
+    TEXT("button", LIGHT, button_name, "a HID usage", NAME_BYTES, false,
+         "The control of this controller whose presses light it: Button 1."),
     END,
 };
 
@@ -147,6 +163,9 @@ const struct key lamp_keys[] = {
 #define BINDING struct binding
 const struct key binding_keys[] = {
     CHOICE("touch", BINDING, touch, TOUCHES, TOUCH_PRESS, false, "Source: what a finger does, or two of one hand."),
+    CHOICE("tool", BINDING, tool, exhibit_tool_names, TOOL_DROP, false,
+           "Condition, with touch: what the finger's visitor has chosen. A tool without bindings does what it usually "
+           "does."),
     SECTION("usage", "Source: a control of a HID controller, by name (X, Dial, Button 3) or number (0x00090003)."),
     SECTION("button", "Source: a button on a GPIO line, by its id."),
     SECTION("encoder", "Source: a rotary encoder on GPIO lines, by its id."),
@@ -167,7 +186,14 @@ const struct key binding_keys[] = {
 
 const struct key binding_do_keys[] = {
     SECTION("next_ink", "Action: the visitor's next ink."),
-    SECTION("undo", "Action: the painting as it was before what visitors did last."),
+    SECTION("undo", "Action: takes back what this visitor did last."),
+    SECTION("redo", "Action: does again what this visitor took back last."),
+    SECTION("finish", "Action: the painting is finished: it is kept, and washed away."),
+    SECTION("staff", "Action: the staff's view. A button that is on from the start, a key switch, has been pressed."),
+    SECTION("next_tool", "Action: the visitor's next tool."),
+    SECTION("next_scene", "Action: the next scene."),
+    SECTION("next_language", "Action: the next language."),
+    SECTION("switch", "Action: the one button of one-switch play; pressed and let go."),
     SECTION("cursor", "Action: moves the controller's point on the sheet."),
     SECTION("turn", "Action: sets a coefficient to where an axis or a dial stands."),
     SECTION("dial", "Action: sets a parameter of all drops to come to where an axis or a dial stands."),
@@ -218,6 +244,7 @@ const struct inputs_table inputs_tables[] = {
     {"keyboards", "A keyboard of the staff.", keyboard_keys},
     {"controllers", "A HID controller.", controller_keys},
     {"map", "What some bits of a controller's reports mean.", map_keys},
+    {"lights", "A lamp of a controller.", light_keys},
     {"gpio", "What hangs on lines of the board.", gpio_keys},
     {"buttons", "A button on a GPIO line.", button_keys},
     {"encoders", "A rotary encoder on two GPIO lines.", encoder_keys},
@@ -234,5 +261,5 @@ const struct inputs_table inputs_tables[] = {
 
 bool inputs_is_section(const struct key *key)
 {
-    return strcmp(key->unit, "section") == 0;
+    return key_is_section(key);
 }

@@ -35,6 +35,22 @@ static void fail(struct sources *sources, const char *name, const struct source_
     }
 }
 
+static void fill_lights(const struct inputs *inputs, struct hid_lamp_def *lamps)
+{
+    for (int i = 0; i < inputs->light_count; i++) {
+        const struct inputs_light *light = &inputs->lights[i];
+        const struct inputs_device *of = &inputs->controllers[light->controller];
+        lamps[i] = (struct hid_lamp_def){.lamp = inputs->lamp_count + i,
+                                         .match = {of->vendor, of->product, of->name},
+                                         .usage = light->usage,
+                                         .index = light->index,
+                                         .report = (uint8_t)light->report,
+                                         .bit = (uint32_t)light->bit,
+                                         .bits = light->bits,
+                                         .most = (uint32_t)light->most};
+    }
+}
+
 static void make_hid(struct sources *sources, const struct sources_def *def)
 {
     struct source_error error;
@@ -61,8 +77,12 @@ static void make_hid(struct sources *sources, const struct sources_def *def)
                                              .map = map,
                                              .map_count = from->map_count};
     }
+    struct hid_lamp_def lamps[INPUTS_LINES];
+    fill_lights(inputs, lamps);
     const struct source_hid_def hid = {.devices = devices,
                                        .device_count = maps ? inputs->controller_count : 0,
+                                       .lamps = lamps,
+                                       .lamp_count = inputs->light_count,
                                        .controllers = inputs->others,
                                        .vendor = def->look};
     if (!sources_add(sources, source_hid_create(&hid, &error))) {
@@ -137,7 +157,8 @@ static void make_touch(struct sources *sources, const struct sources_def *def)
                                            .pointers = inputs->pointers,
                                            .keys = keys,
                                            .key_count = key_count,
-                                           .hold = def->hold};
+                                           .hold = def->hold,
+                                           .console = def->console};
     if (def->touch && !sources_add(sources, source_touch_create(&touch, &error))) {
         fail(sources, "touch", &error);
     }
@@ -246,9 +267,10 @@ bool sources_log(struct sources *sources, char *line, int size)
 
 void sources_light(struct sources *sources, int lamp, float level)
 {
-    struct source *gpio = sources_find(sources, "gpio");
-    if (gpio && gpio->ops->lamp) {
-        gpio->ops->lamp(gpio, lamp, level);
+    bool set = false;
+    for (int i = 0; i < sources->count && !set; i++) {
+        struct source *source = sources->sources[i];
+        set = source->ops->lamp && source->ops->lamp(source, lamp, level);
     }
 }
 

@@ -15,6 +15,7 @@ struct sources_def {
     const struct inputs *inputs; /* read while they are made */
     bool touch;                  /* libinput; not where a desktop gives a window its input */
     bool hold;                   /* the seat: no key reaches the system */
+    const char *console;         /* with `hold`: as in source_touch.h; NULL: none */
     bool look;                   /* for a look at what is plugged in: vendor-defined controls as well */
     int rotation;                /* of the display, degrees clockwise */
     int width, height;           /* pixels of the display as it is looked at; 0: unknown */
@@ -41,7 +42,7 @@ bool sources_device(const struct sources *sources, const struct event *event, st
 int sources_devices(const struct sources *sources, struct device *devices, int most);
 /* The next line for the log, once. */
 bool sources_log(struct sources *sources, char *line, int size);
-/* A lamp of the inputs file, 0..1. */
+/* A lamp of the inputs file, 0..1; those of controllers follow those on lines. */
 void sources_light(struct sources *sources, int lamp, float level);
 /* The source of that name, "hid", for what it has beyond the common interface; NULL: it is not there. */
 struct source *sources_find(const struct sources *sources, const char *name);

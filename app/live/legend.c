@@ -2,9 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include <pango/pangocairo.h>
+
+#include "pen.h"
 
 const struct legend_text legend_texts[XRAY_LAYERS] = {
     [XRAY_CATALYST] = {"Catalyst", "food of growth"},
@@ -18,7 +19,7 @@ const struct legend_text legend_texts[XRAY_LAYERS] = {
 static const double LIGHT[3] = {0.93, 0.94, 0.95};
 static const double DIM[3] = {0.62, 0.65, 0.7};
 
-struct pen {
+struct legend_pen {
     cairo_t *cairo;
     PangoLayout *layout;
     int text; /* height, pixels */
@@ -27,7 +28,7 @@ struct pen {
 enum side { SIDE_LEFT, SIDE_MIDDLE, SIDE_RIGHT };
 
 /* Makes a line ready. Returns its width, pixels. */
-static int set_line(const struct pen *pen, const char *text, double size, bool bold)
+static int set_line(const struct legend_pen *pen, const char *text, double size, bool bold)
 {
     PangoFontDescription *font = pango_font_description_from_string(bold ? "Sans Bold" : "Sans");
     int width = 0;
@@ -40,7 +41,7 @@ static int set_line(const struct pen *pen, const char *text, double size, bool b
 }
 
 /* One line whose left end, middle or right end is at x; its vertical middle at y. */
-static void write_line(const struct pen *pen, const char *text, double size, bool bold, const double colour[3],
+static void write_line(const struct legend_pen *pen, const char *text, double size, bool bold, const double colour[3],
                        double x, double y, enum side side)
 {
     int width = set_line(pen, text, size, bold), height = 0;
@@ -51,14 +52,14 @@ static void write_line(const struct pen *pen, const char *text, double size, boo
     pango_cairo_show_layout(pen->cairo, pen->layout);
 }
 
-static void paint(const struct pen *pen, const uint8_t rgb[3], double x, double y, double width, double height)
+static void paint(const struct legend_pen *pen, const uint8_t rgb[3], double x, double y, double width, double height)
 {
     cairo_set_source_rgb(pen->cairo, rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
     cairo_rectangle(pen->cairo, x, y, width, height);
     cairo_fill(pen->cairo);
 }
 
-static void draw_title(const struct pen *pen, const struct xray_box *box, const struct legend_text *text)
+static void draw_title(const struct legend_pen *pen, const struct xray_box *box, const struct legend_text *text)
 {
     double y = box->y + 0.5 * box->height;
     double unit = 0.75 * pen->text;
@@ -71,7 +72,7 @@ static void draw_title(const struct pen *pen, const struct xray_box *box, const 
     }
 }
 
-static void draw_bar(const struct pen *pen, const struct xray_box *box, enum xray_layer layer)
+static void draw_bar(const struct legend_pen *pen, const struct xray_box *box, enum xray_layer layer)
 {
     const struct xray_scale *scale = &xray_scales[layer];
     double top = box->y + 0.35 * pen->text, high = 0.6 * pen->text;
@@ -89,7 +90,7 @@ static void draw_bar(const struct pen *pen, const struct xray_box *box, enum xra
 }
 
 /* Hue is direction: a wheel, dark in the middle; beside it what its rim stands for. */
-static void draw_wheel(const struct pen *pen, const struct xray_box *box, enum xray_layer layer)
+static void draw_wheel(const struct legend_pen *pen, const struct xray_box *box, enum xray_layer layer)
 {
     const struct xray_scale *scale = &xray_scales[layer];
     int radius = (box->height - pen->text / 3) / 2;
@@ -109,24 +110,10 @@ static void draw_wheel(const struct pen *pen, const struct xray_box *box, enum x
     write_line(pen, number, 0.75 * pen->text, false, LIGHT, x + radius + 0.6 * pen->text, y, SIDE_LEFT);
 }
 
-static void to_rgba(const uint8_t *from, int stride, int width, int height, uint8_t *rgba)
-{
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++, rgba += 4) {
-            uint32_t pixel;
-            memcpy(&pixel, from + (size_t)y * (size_t)stride + 4 * (size_t)x, sizeof pixel);
-            rgba[0] = (uint8_t)(pixel >> 16);
-            rgba[1] = (uint8_t)(pixel >> 8);
-            rgba[2] = (uint8_t)pixel;
-            rgba[3] = (uint8_t)(pixel >> 24);
-        }
-    }
-}
-
 bool legend_draw(const struct xray_panel panels[XRAY_LAYERS], int width, int height, uint8_t *rgba)
 {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
-    struct pen pen = {.cairo = cairo_create(surface), .text = xray_text(width, height)};
+    struct legend_pen pen = {.cairo = cairo_create(surface), .text = xray_text(width, height)};
     bool good = cairo_status(pen.cairo) == CAIRO_STATUS_SUCCESS;
     if (good) {
         cairo_font_options_t *options = cairo_font_options_create();
@@ -144,7 +131,7 @@ bool legend_draw(const struct xray_panel panels[XRAY_LAYERS], int width, int hei
         }
         g_object_unref(pen.layout);
         cairo_surface_flush(surface);
-        to_rgba(cairo_image_surface_get_data(surface), cairo_image_surface_get_stride(surface), width, height, rgba);
+        pen_rgba(cairo_image_surface_get_data(surface), cairo_image_surface_get_stride(surface), width, height, rgba);
     }
     cairo_destroy(pen.cairo);
     cairo_surface_destroy(surface);

@@ -12,6 +12,9 @@ bool live_care_init(struct live_care *care, const struct script *script, int dis
     float period_ms = display_mhz > 0 ? 1e6f / (float)display_mhz : 0;
     *care = (struct live_care){.ticks_wanted = (float)ticks_per_second, .thermal = thermal_create(NULL)};
     def.frame_ms = 1.2f * period_ms > FRAME_MS_LEAST ? 1.2f * period_ms : FRAME_MS_LEAST;
+    for (int i = 0; script->action_count == 0 && brushes[i].name; i++) { /* of an exhibit: any brush may come */
+        governor_admit_brush(&def, &brushes[i]);
+    }
     for (int i = 0; i < script->action_count; i++) {
         const struct action *action = &script->actions[i];
         if (action->verb == ACTION_DROP && action->brush != BRUSH_NONE) {
@@ -20,6 +23,12 @@ bool live_care_init(struct live_care *care, const struct script *script, int dis
     }
     care->governor = governor_start(&def, &script->coefficients);
     return care->thermal;
+}
+
+void live_care_change(struct live_care *care, const struct script *script)
+{
+    governor_rebase(&care->governor, &script->coefficients);
+    care->sessions = 0; /* what is wanted is said again */
 }
 
 void live_care_finish(struct live_care *care)

@@ -17,6 +17,8 @@ struct live_care {
 
 /* False when memory is short. `display_mhz`: of the screen, 0 where it has none. */
 bool live_care_init(struct live_care *care, const struct script *script, int display_mhz, double ticks_per_second);
+/* Another script is painted from now on. */
+void live_care_change(struct live_care *care, const struct script *script);
 void live_care_finish(struct live_care *care); /* takes a zeroed one */
 /* After each frame that took `frame_ms` since the one before. `touched`: somebody paints now, and the grid waits. A
  * line for the log, or NULL; it stays until the next call. */

@@ -1,6 +1,7 @@
 #include "live_input.h"
 
 #include "bench.h"
+#include "kiosk.h"
 
 bool live_input_open(struct live_input *input, const struct script *script, struct display *display,
                      const struct live_input_def *def)
@@ -8,7 +9,8 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
     struct display_size size = display_sheet(display);
     bool screen = display_kind(display) == DISPLAY_KMS;
     int fds[SOURCES_MAX];
-    *input = (struct live_input){.own = def->inputs ? NULL : inputs_default(script)};
+    *input = (struct live_input){
+        .kiosk = def->kiosk, .clock = def->clock, .own = def->inputs ? NULL : inputs_default(script)};
     const struct inputs *inputs = def->inputs ? def->inputs : input->own;
     if (!inputs) {
         return false;
@@ -16,11 +18,16 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
     const struct sources_def sources = {.inputs = inputs,
                                         .touch = screen,
                                         .hold = screen && def->hold,
+                                        .console = def->console,
                                         .rotation = def->rotation,
                                         .width = size.width,
                                         .height = size.height};
     input->sources = sources_create(&sources);
-    input->controls = controls_create(&(struct controls_def){inputs, script->ink_count, script->coefficients});
+    input->controls = controls_create(&(struct controls_def){.inputs = inputs,
+                                                             .inks = script->ink_count,
+                                                             .coefficients = script->coefficients,
+                                                             .seats = def->seats,
+                                                             .seat_count = def->seat_count});
     input->lamps.inputs = inputs;
     if (!input->sources || !input->controls) {
         return false;
@@ -52,14 +59,29 @@ int live_input_wait_ms(const struct live_input *input, int most)
     return sooner(sooner(most, sources_timeout_ms(input->sources)), controls_timeout_ms(input->controls, now_us()));
 }
 
-static void take(struct live_input *input, const struct event *event)
+static void take(struct live_input *input, struct event *event)
 {
     struct device device;
+    lamps_feel(&input->lamps, event);
     if (event->kind == EVENT_ARRIVED && sources_device(input->sources, event, &device)) {
         controls_introduce(input->controls, event->source, &device);
+        lamps_introduce(&input->lamps, event->source, &device);
     }
-    controls_feel(input->controls, event);
-    lamps_feel(&input->lamps, event);
+    if (!input->kiosk || kiosk_feel(input->kiosk, event, live_clock_us(&input->clock))) {
+        controls_feel(input->controls, event);
+    }
+}
+
+/* What visitors want that is no action on the sheet. */
+static void grant(struct live_input *input, const struct wish *wish, struct studio *studio)
+{
+    struct action action = action_default(wish->kind == WISH_UNDO ? ACTION_UNDO : ACTION_REDO);
+    action.visitor = wish->visitor;
+    if (input->kiosk) {
+        kiosk_wish(input->kiosk, wish, live_clock_us(&input->clock));
+    } else if (wish->kind == WISH_UNDO || wish->kind == WISH_REDO) {
+        studio_post(studio, &action);
+    }
 }
 
 static void light(struct live_input *input)
@@ -85,6 +107,7 @@ void live_input_feel(struct live_input *input, struct display *display, struct s
 {
     struct event event;
     struct action action;
+    struct wish wish;
     struct studio_consumed consumed;
     uint64_t time_us;
     while (studio_consumed(studio, &consumed)) {
@@ -100,11 +123,12 @@ void live_input_feel(struct live_input *input, struct display *display, struct s
     }
     controls_run(input->controls, now_us());
     while (controls_action(input->controls, &action, &time_us)) {
-        input->refused += !studio_post_event(studio, &action, time_us);
+        bool taken = input->kiosk ? kiosk_act(input->kiosk, &action, time_us, live_clock_us(&input->clock))
+                                  : studio_post_event(studio, &action, time_us);
+        input->refused += !taken;
     }
-    if (controls_undo(input->controls)) {
-        action = action_default(ACTION_UNDO);
-        input->refused += !studio_post(studio, &action);
+    while (controls_wish(input->controls, &wish)) {
+        grant(input, &wish, studio);
     }
     light(input);
 }

@@ -3,10 +3,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bench.h"
 #include "legend.h"
 #include "picture_gpu.h"
 #include "script_sheet.h"
 #include "xray_gpu.h"
+
+static const double FADE_S = 0.8;
 
 enum { TONE_FOLLOW = 240 }; /* pictures: the tone of a growing painting holds still for the eye */
 
@@ -23,6 +26,7 @@ void live_picture_finish(struct live_picture *picture)
     xray_gpu_destroy(picture->layers);
     picture->picture = NULL;
     picture->layers = NULL;
+    picture->held_s = 0;
 }
 
 /* Text and scales of the layers; a view without them is still a view. */
@@ -58,8 +62,8 @@ static bool fit(struct live_picture *picture, struct display_size size, const st
                 struct shader_error *error)
 {
     const struct picture_def *old = &picture->def;
-    *made = !(picture->picture || picture->layers) || old->width != size.width || old->height != size.height ||
-            old->cells_x != fields->width || old->cells_y != fields->height;
+    *made = !(picture->picture || picture->layers) || picture->other || old->width != size.width ||
+            old->height != size.height || old->cells_x != fields->width || old->cells_y != fields->height;
     if (!*made) {
         return true;
     }
@@ -67,7 +71,15 @@ static bool fit(struct live_picture *picture, struct display_size size, const st
     picture->def.cells_x = fields->width;
     picture->def.cells_y = fields->height;
     picture->def.follow = TONE_FOLLOW;
+    picture->other = false;
     return make(picture, error);
+}
+
+static void hold(struct live_picture *picture)
+{
+    bool held = picture->picture && picture_gpu_hold(picture->picture);
+    picture->held_s = held ? bench_wall_s() : 0;
+    picture->hold = false;
 }
 
 bool live_picture_draw(struct live_picture *picture, struct display *display, const struct fields *fields, bool fresh,
@@ -77,6 +89,9 @@ bool live_picture_draw(struct live_picture *picture, struct display *display, co
     unsigned framebuffer = display_framebuffer(display);
     bool made;
     float turn[4];
+    if (picture->hold) {
+        hold(picture);
+    }
     if (!fit(picture, display_sheet(display), fields, &made, error)) {
         return false;
     }
@@ -94,7 +109,22 @@ bool live_picture_draw(struct live_picture *picture, struct display *display, co
         picture_gpu_shade(picture->picture, fields);
     }
     picture_gpu_present(picture->picture, framebuffer, panel.width, panel.height, turn);
+    if (live_picture_fades(picture)) {
+        float gone = (float)((bench_wall_s() - picture->held_s) / FADE_S);
+        picture_gpu_present_held(picture->picture, 1 - gone * gone * (3 - 2 * gone), framebuffer, panel.width,
+                                 panel.height, turn);
+    }
     return true;
+}
+
+void live_picture_hold(struct live_picture *picture)
+{
+    picture->hold = true;
+}
+
+bool live_picture_fades(const struct live_picture *picture)
+{
+    return picture->held_s > 0 && bench_wall_s() - picture->held_s < FADE_S;
 }
 
 void live_picture_reload(struct live_picture *picture)
@@ -110,4 +140,26 @@ void live_picture_reload(struct live_picture *picture)
     if (!picture->reloaded) {
         fprintf(stderr, "frond: %s\n", error.text);
     }
+}
+
+void live_picture_change(struct live_picture *picture, const struct script *script)
+{
+    const struct script *old = picture->script;
+    picture->script = script;
+    for (int i = 0; i < script->ink_count; i++) {
+        picture->other = picture->other || old->inks[i] != script->inks[i];
+    }
+    picture->other = picture->other || old->ink_count != script->ink_count || old->mode != script->mode;
+}
+
+uint8_t *live_picture_capture(const struct live_picture *picture, int *width, int *height)
+{
+    *width = picture->def.width;
+    *height = picture->def.height;
+    uint8_t *rgb = picture->picture ? malloc((size_t)*width * (size_t)*height * 3) : NULL;
+    if (rgb && !picture_gpu_capture(picture->picture, rgb)) {
+        free(rgb);
+        rgb = NULL;
+    }
+    return rgb;
 }

@@ -58,10 +58,10 @@ static int walk(int folder, const char *path)
     return -1;
 }
 
-int beneath_open(const char *folder, const char *path, char *error, size_t size)
+int beneath_open(const char *folder, const char *path, const char *what, char *error, size_t size)
 {
     if (*path == '\0' || *path == '/' || climbs(path)) {
-        snprintf(error, size, "'%.100s' leads out of the script's folder; a picture lies in it or below", path);
+        snprintf(error, size, "'%.100s' leads out of this file's folder; %s lies in it or below", path, what);
         return -1;
     }
     int fd = -1;
@@ -82,11 +82,11 @@ int beneath_open(const char *folder, const char *path, char *error, size_t size)
 #endif
     }
     if (fd < 0 && (errno == EXDEV || errno == ELOOP)) {
-        snprintf(error, size, "'%.100s' leads out of the script's folder; a picture lies in it or below", path);
+        snprintf(error, size, "'%.100s' leads out of this file's folder; %s lies in it or below", path, what);
     } else if (fd < 0 && (errno == ENOENT || errno == ENOTDIR)) {
-        snprintf(error, size, "'%.100s' is not there; a picture in the script's folder or below", path);
+        snprintf(error, size, "'%.100s' is not there; %s in this file's folder or below", path, what);
     } else if (fd < 0) {
-        snprintf(error, size, "'%.100s' cannot be read (%s); a picture that Frond may read", path, strerror(errno));
+        snprintf(error, size, "'%.100s' cannot be read (%s); %s that Frond may read", path, strerror(errno), what);
     }
     return fd;
 }

@@ -1,12 +1,12 @@
-/* Opening a file that a script names, and no other: it lies in the script's folder or below it. */
+/* Opening a file that a script or an exhibit names, and no other: it lies in that one's folder or below it. */
 #ifndef FROND_BENEATH_H
 #define FROND_BENEATH_H
 
 #include <stddef.h>
 
 /* Opens `path`, relative to `folder`, for reading. Absolute paths, `..` and symbolic links out of the folder are
- * refused (openat2; where the kernel lacks it, every symbolic link is). Returns a file descriptor, or -1 with "what was
- * found; what is allowed" in `error`. */
-int beneath_open(const char *folder, const char *path, char *error, size_t size);
+ * refused (openat2; where the kernel lacks it, every symbolic link is). `what` it is meant to be:
+ * "a picture". Returns a file descriptor, or -1 with "what was found; what is allowed" in `error`. */
+int beneath_open(const char *folder, const char *path, const char *what, char *error, size_t size);
 
 #endif

@@ -39,7 +39,7 @@ bool pictures_load(void *data, const char *folder, const char *path, struct scri
                    size_t size)
 {
     (void)data;
-    int fd = beneath_open(folder, path, error, size);
+    int fd = beneath_open(folder, path, "a picture", error, size);
     if (fd < 0) {
         return false;
     }

@@ -6,10 +6,11 @@
 
 #include "ink.h"
 #include "script_action.h"
+#include "script_read.h"
 #include "script_value.h"
 #include "yaml.h"
 
-static const char *const MODES[] = {"pigment", "cmy", NULL};
+const char *const script_modes[] = {"pigment", "cmy", NULL};
 
 #define WHOLE(name, field, unit, min, max, def, need, text)                                                            \
     {                                                                                                                  \
@@ -27,7 +28,7 @@ const struct key script_keys[] = {
     WHOLE("ticks", ticks, "ticks", 0, SCRIPT_TICKS_MAX, 700, false, "How long the session takes."),
     SECTION("inks", "A list of one to four inks, by name."),
     SECTION("palette", "Four inks at once, by the palette's name, instead of inks; the first palette if left out."),
-    {"mode", KEY_CHOICE, "", 0, 0, 0, MODES, offsetof(struct script, mode), false,
+    {"mode", KEY_CHOICE, "", 0, 0, 0, script_modes, offsetof(struct script, mode), false,
      "How inks are shown: as pigment, in which blue and yellow make green, or subtracted as in the paper."},
     SECTION("painting", "Coefficients of the painting, by name."),
     SECTION("actions", "What is done, as a list of {tick: N, verb: {parameters}}."),
@@ -55,67 +56,59 @@ struct script_def script_default_def(void)
     return (struct script_def){.raster_values_max = SCRIPT_RASTER_VALUES_MAX};
 }
 
-static bool is_section(const struct key *key)
-{
-    return strcmp(key->unit, "section") == 0;
-}
-
 static bool read_scalar(struct reader *reader, const struct key *key, const struct yaml_node *node, void *object,
                         void *context)
 {
     (void)context;
-    return is_section(key) || value_read(reader, key, node, object); /* sections have readers of their own */
-}
-
-static void wrong_kind(struct reader *reader, const struct yaml_node *node, const char *allowed)
-{
-    char found[128];
-    if (node->kind != YAML_REFUSED) {
-        reader_problem(reader, node, "%s; %s", yaml_found(node, found, sizeof found), allowed);
-    }
+    return key_is_section(key) || value_read(reader, key, node, object); /* sections have readers of their own */
 }
 
 static void read_mapping(struct reader *reader, const struct yaml_node *root, const char *name, const struct key *keys,
                          void *object, const char *allowed)
 {
     const struct yaml_node *node = yaml_get(root, name);
-    if (!node) {
+    if (!node || yaml_is_nothing(node)) {
         return;
     }
     size_t length = reader_enter(reader, name);
     if (node->kind == YAML_MAPPING) {
         mapping_read(reader, keys, node, object, NULL);
     } else {
-        wrong_kind(reader, node, allowed);
+        value_wrong_kind(reader, node, allowed);
     }
     reader_leave(reader, length);
 }
 
-static void read_ink_names(struct reader *reader, const struct yaml_node *node)
+void script_read_painting(struct reader *reader, const struct yaml_node *root)
 {
-    static const char ALLOWED[] = "a list of 1 to 4 inks, by name";
-    char found[128], allowed[1024];
-    struct script *script = reader->script;
+    read_mapping(reader, root, "painting", coefficient_keys, &reader->script->coefficients,
+                 "{coefficient: value, ...}");
+}
+
+int script_read_inks(struct reader *reader, const struct yaml_node *node, int least, int ink[PAINTING_INKS])
+{
+    char found[128], allowed[1024], list[64];
     struct names names = names_of_inks();
+    snprintf(list, sizeof list, least < PAINTING_INKS ? "a list of 1 to 4 inks, by name" : "a list of 4 inks, by name");
     if (node->kind != YAML_LIST) {
-        wrong_kind(reader, node, ALLOWED);
-        return;
+        value_wrong_kind(reader, node, list);
+        return 0;
     }
-    if (node->count < 1 || node->count > PAINTING_INKS) {
-        reader_problem(reader, node, "a list of %d; %s", node->count, ALLOWED);
+    if (node->count < least || node->count > PAINTING_INKS) {
+        reader_problem(reader, node, "a list of %d; %s", node->count, list);
     }
     int count = 0, index = 0;
     for (const struct yaml_node *item = node->first; item && index < PAINTING_INKS; item = item->next, index++) {
         size_t length = reader_enter_index(reader, index);
         bool word = item->kind == YAML_SCALAR && !yaml_is_nothing(item);
-        int ink = word ? ink_find(item->text) : -1;
+        int one = word ? ink_find(item->text) : -1;
         bool again = false;
         for (int i = 0; i < count; i++) {
-            again = again || script->inks[i] == ink;
+            again = again || ink[i] == one;
         }
-        if (ink >= 0 && !again) {
-            script->inks[count++] = ink;
-        } else if (ink >= 0) {
+        if (one >= 0 && !again) {
+            ink[count++] = one;
+        } else if (one >= 0) {
             reader_problem(reader, item, "%s is there already; different inks", yaml_found(item, found, sizeof found));
         } else if (item->kind != YAML_REFUSED) {
             reader_problem(reader, item, word ? "unknown ink %s; %s" : "%s where a name should be; %s",
@@ -124,10 +117,10 @@ static void read_ink_names(struct reader *reader, const struct yaml_node *node)
         }
         reader_leave(reader, length);
     }
-    script->ink_count = count ? count : script->ink_count;
+    return count;
 }
 
-static void take_palette(struct script *script, int palette)
+void script_take_palette(struct script *script, int palette)
 {
     for (int i = 0; i < PAINTING_INKS; i++) {
         script->inks[i] = ink_find(palettes[palette].inks[i]);
@@ -138,7 +131,8 @@ static void take_palette(struct script *script, int palette)
 static void read_inks(struct reader *reader, const struct yaml_node *root)
 {
     const struct yaml_node *list = yaml_get(root, "inks"), *palette = yaml_get(root, "palette");
-    take_palette(reader->script, 0);
+    struct script *script = reader->script;
+    script_take_palette(script, 0);
     if (palette) {
         struct names names = names_of_palettes();
         int index = 0;
@@ -147,13 +141,14 @@ static void read_inks(struct reader *reader, const struct yaml_node *root)
             reader_problem(reader, palette, "inks are given too; one of the two");
         }
         if (value_choice(reader, &names, "palette", palette, &index)) {
-            take_palette(reader->script, index);
+            script_take_palette(script, index);
         }
         reader_leave(reader, length);
     }
     if (list) {
         size_t length = reader_enter(reader, "inks");
-        read_ink_names(reader, list);
+        int count = script_read_inks(reader, list, 1, script->inks);
+        script->ink_count = count ? count : script->ink_count;
         reader_leave(reader, length);
     }
 }
@@ -181,7 +176,7 @@ static void read_actions(struct reader *reader, const struct yaml_node *root)
     }
     size_t length = reader_enter(reader, "actions");
     if (node->kind != YAML_LIST) {
-        wrong_kind(reader, node, "a list of {tick: N, verb: {...}}");
+        value_wrong_kind(reader, node, "a list of {tick: N, verb: {...}}");
     } else if (node->count > SCRIPT_ACTIONS_MAX) {
         reader_problem(reader, node, "%d actions; at most %d", node->count, SCRIPT_ACTIONS_MAX);
     } else {
@@ -211,16 +206,16 @@ static void read_root(struct reader *reader, const struct yaml_node *root)
     struct value_reading reading = {.read = read_scalar};
     mapping_read(reader, script_keys, root, script, &reading);
     read_mapping(reader, root, "canvas", canvas_keys, script, "{width: cells, height: cells, margin: cells}");
-    read_mapping(reader, root, "painting", coefficient_keys, &script->coefficients, "{coefficient: value, ...}");
+    script_read_painting(reader, root);
     read_inks(reader, root); /* before the actions, which name them, wherever they stand in the file */
     read_actions(reader, root);
 }
 
-static void default_scalars(struct script *script)
+void script_defaults(struct script *script)
 {
     key_defaults(canvas_keys, script);
     for (const struct key *key = script_keys; key->name; key++) {
-        if (!is_section(key)) {
+        if (!key_is_section(key)) {
             struct key one[2] = {*key, {.name = NULL}};
             key_defaults(one, script);
         }
@@ -247,7 +242,7 @@ struct script *script_parse(const char *text, size_t size, const char *folder, c
                    "%s where a session should be; frond: 1, and a list of actions",
                    yaml_found(root, found, sizeof found));
     } else {
-        default_scalars(script);
+        script_defaults(script);
         struct reader reader = {.report = report, .script = script, .def = def, .folder = folder};
         read_root(&reader, root);
     }

@@ -57,6 +57,7 @@ struct script_def {
                  size_t size);
     void *data;
     size_t raster_values_max; /* floats of all formulas and pictures together */
+    bool every_picture;       /* those of an exhibit's folder are loaded too, only to see whether they can be */
 };
 
 struct script_def script_default_def(void); /* no loader, SCRIPT_RASTER_VALUES_MAX */

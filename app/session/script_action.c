@@ -17,7 +17,7 @@ struct parameters {
 static bool take_values(struct reader *reader, const struct yaml_node *node, size_t count)
 {
     if (count > reader->def->raster_values_max - reader->raster_values) {
-        reader_problem(reader, node, "too much for one script; %zu values in all formulas and pictures together",
+        reader_problem(reader, node, "too much for one file; %zu values in all formulas and pictures together",
                        reader->def->raster_values_max);
         return false;
     }
@@ -102,14 +102,14 @@ static enum raster_kind kind_of(const struct action *action)
                                                  : RASTER_TOWARDS_DARK;
 }
 
-static bool read_picture(struct reader *reader, const struct yaml_node *node, struct action *action)
+bool script_action_picture(struct reader *reader, const struct yaml_node *node, struct action *action)
 {
     char found[128], error[256] = "";
     if (node->kind == YAML_REFUSED) {
         return false;
     }
     if (node->kind != YAML_SCALAR || yaml_is_nothing(node)) {
-        reader_problem(reader, node, "%s where a path should be; a picture in the script's folder",
+        reader_problem(reader, node, "%s where a path should be; a picture in this file's folder",
                        yaml_found(node, found, sizeof found));
         return false;
     }
@@ -203,6 +203,12 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     if (verb == ACTION_MASK && !at && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
     }
+    if (verb == ACTION_RINSE && !at && !path && !parameters->bound) {
+        reader_problem(reader, node, "no place is given; at or a path");
+    }
+    if (verb == ACTION_RINSE && at && path) {
+        reader_problem(reader, node, "both at and a path; one of them");
+    }
     if (verb == ACTION_SET && parameters->coefficient) {
         if (!yaml_get(node, "value")) {
             missing(reader, node, "value", parameters->coefficient);
@@ -253,7 +259,7 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     }
     if (parameters.picture) {
         size_t length = reader_enter(reader, "picture");
-        read_picture(reader, parameters.picture, action);
+        script_action_picture(reader, parameters.picture, action);
         reader_leave(reader, length);
     }
 }

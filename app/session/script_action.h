@@ -12,4 +12,7 @@ bool script_action_read(struct reader *reader, const struct yaml_node *node, str
  * left out. */
 bool script_action_bound(struct reader *reader, const struct yaml_node *node, struct action *action);
 
+/* The raster of an action from the picture whose path `node` is; a guide's depends on its `reading`. */
+bool script_action_picture(struct reader *reader, const struct yaml_node *node, struct action *action);
+
 #endif

@@ -38,6 +38,19 @@ void reader_problem(struct reader *reader, const struct yaml_node *at, const cha
     report_add(reader->report, at->line, at->column, reader->path, "%s", message);
 }
 
+bool key_is_section(const struct key *key)
+{
+    return strcmp(key->unit, "section") == 0;
+}
+
+void value_wrong_kind(struct reader *reader, const struct yaml_node *node, const char *allowed)
+{
+    char found[128];
+    if (node->kind != YAML_REFUSED) {
+        reader_problem(reader, node, "%s; %s", yaml_found(node, found, sizeof found), allowed);
+    }
+}
+
 void *reader_take(struct reader *reader, size_t size)
 {
     struct script_memory *memory = malloc(sizeof *memory);
@@ -83,7 +96,7 @@ const char *value_allowed(const struct key *key, char *buffer, size_t size)
         return names_allowed(&names, "", buffer, size);
     }
     case KEY_INK:
-        snprintf(buffer, size, "the name of one of the session's inks");
+        snprintf(buffer, size, "the name of one of the inks in use");
         break;
     case KEY_BRUSH: {
         struct names names = names_of_brushes();
@@ -99,7 +112,16 @@ const char *value_allowed(const struct key *key, char *buffer, size_t size)
         snprintf(buffer, size, "an expression in x and y, or two of them for a field");
         break;
     case KEY_PICTURE:
-        snprintf(buffer, size, "the path of a picture in the script's folder");
+        snprintf(buffer, size, "the path of a picture in this file's folder");
+        break;
+    case KEY_ZONE:
+        snprintf(buffer, size, "[left, top, right, bottom], each 0 to 1%s%s", *unit ? " " : "", unit);
+        break;
+    case KEY_SIZE:
+        snprintf(buffer, size, "WxH, each %.10g to %.10g%s%s", key->min, key->max, *unit ? " " : "", unit);
+        break;
+    case KEY_TIME:
+        snprintf(buffer, size, "a time of day, 0:00 to 24:00");
         break;
     }
     return buffer;
@@ -332,13 +354,94 @@ static bool read_ink(struct reader *reader, const struct yaml_node *node, int *i
         reader_problem(reader, node, "%s where a name should be; %s", yaml_found(node, found, sizeof found),
                        names_allowed(&own, "", allowed, sizeof allowed));
     } else if (index >= 0) {
-        reader_problem(reader, node, "%s is not among the session's inks; %s", found,
-                       names_allowed(&own, "", allowed, sizeof allowed));
+        reader_problem(reader, node, "%s is not among the %s inks; %s", found,
+                       reader->whose ? reader->whose : "session's", names_allowed(&own, "", allowed, sizeof allowed));
     } else {
         reader_problem(reader, node, "unknown ink %s; %s", found,
                        names_allowed(&all, node->text, allowed, sizeof allowed));
     }
     return false;
+}
+
+/* Four numbers; the second pair lies beyond the first. */
+static bool read_zone(struct reader *reader, const struct key *key, const struct yaml_node *node, float zone[4])
+{
+    char found[128], allowed[128], count[48];
+    double edges[4] = {0};
+    bool good = true, list = node->kind == YAML_LIST;
+    if (node->kind == YAML_REFUSED) {
+        return false;
+    }
+    if (!list || node->count != 4) {
+        snprintf(count, sizeof count, "a list of %d", node->count);
+        reader_problem(reader, node, "%s where a zone should be; %s",
+                       list ? count : yaml_found(node, found, sizeof found),
+                       value_allowed(key, allowed, sizeof allowed));
+        return false;
+    }
+    struct key edge = *key;
+    edge.type = KEY_NUMBER;
+    const struct yaml_node *item = node->first;
+    for (int i = 0; i < 4; i++, item = item->next) {
+        size_t length = reader_enter_index(reader, i);
+        good = value_number(reader, &edge, item, &edges[i]) && good;
+        reader_leave(reader, length);
+    }
+    if (good && !(edges[0] < edges[2] && edges[1] < edges[3])) {
+        reader_problem(reader, node, "a zone without area; [left, top, right, bottom], left < right and top < bottom");
+        return false;
+    }
+    for (int i = 0; i < 4 && good; i++) {
+        zone[i] = (float)edges[i];
+    }
+    return good;
+}
+
+/* The whole number that a text begins with, up to `most` digits, and what follows it. */
+static bool take_digits(const char **text, size_t most, int *number)
+{
+    size_t digits = strspn(*text, "0123456789");
+    *number = digits > 0 && digits <= most ? (int)strtol(*text, NULL, 10) : -1;
+    *text += digits;
+    return *number >= 0;
+}
+
+static bool read_size(struct reader *reader, const struct key *key, const struct yaml_node *node, int size[2])
+{
+    char found[128], allowed[128];
+    int width = 0, height = 0;
+    const char *text = node->kind == YAML_SCALAR ? node->text : "";
+    bool good = take_digits(&text, 6, &width) && *text++ == 'x' && take_digits(&text, 6, &height) && *text == '\0';
+    if (node->kind == YAML_REFUSED) {
+        return false;
+    }
+    if (!good || width < key->min || width > key->max || height < key->min || height > key->max) {
+        reader_problem(reader, node, "%s is not it; %s", yaml_found(node, found, sizeof found),
+                       value_allowed(key, allowed, sizeof allowed));
+        return false;
+    }
+    size[0] = width;
+    size[1] = height;
+    return true;
+}
+
+static bool read_time(struct reader *reader, const struct key *key, const struct yaml_node *node, int *minutes)
+{
+    char found[128], allowed[128];
+    int hour = 0, minute = 0;
+    const char *text = node->kind == YAML_SCALAR ? node->text : "";
+    bool good = take_digits(&text, 2, &hour) && *text++ == ':' && strlen(text) == 2 && take_digits(&text, 2, &minute) &&
+                *text == '\0';
+    if (node->kind == YAML_REFUSED) {
+        return false;
+    }
+    if (!good || minute > 59 || 60 * hour + minute > (int)key->max) {
+        reader_problem(reader, node, "%s is no time; %s", yaml_found(node, found, sizeof found),
+                       value_allowed(key, allowed, sizeof allowed));
+        return false;
+    }
+    *minutes = 60 * hour + minute;
+    return true;
 }
 
 bool value_read(struct reader *reader, const struct key *key, const struct yaml_node *node, void *object)
@@ -383,6 +486,12 @@ bool value_read(struct reader *reader, const struct key *key, const struct yaml_
         return read_point(reader, key, node, (struct point *)(void *)at);
     case KEY_PATH:
         return read_path(reader, key, node, (struct action_path *)(void *)at);
+    case KEY_ZONE:
+        return read_zone(reader, key, node, (float *)(void *)at);
+    case KEY_SIZE:
+        return read_size(reader, key, node, (int *)(void *)at);
+    case KEY_TIME:
+        return read_time(reader, key, node, (int *)(void *)at);
     case KEY_RASTER:
     case KEY_PICTURE:
         return false; /* what they become depends on the verb: script_action.c reads them */

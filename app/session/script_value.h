@@ -10,7 +10,7 @@
 #include "script.h"
 #include "yaml.h"
 
-enum { NAMES_MAX = 64 };
+enum { NAMES_MAX = 128 };
 
 /* Names to choose from, for suggestions and lists. */
 struct names {
@@ -40,6 +40,7 @@ struct reader {
     struct script *script;
     const struct script_def *def;
     const char *folder;
+    const char *whose;    /* inks: "session's" where it is NULL, for messages */
     size_t raster_values; /* taken so far */
     char path[256];       /* "actions[0].drop.radius" */
 };
@@ -53,6 +54,11 @@ void reader_problem(struct reader *reader, const struct yaml_node *at, const cha
     __attribute__((format(printf, 3, 4)));
 /* Memory that lives as long as the script; NULL is reported. */
 void *reader_take(struct reader *reader, size_t size);
+
+/* Whether a row is a list or a mapping with a reader of its own: one with the unit "section". */
+bool key_is_section(const struct key *key);
+/* "what was found; allowed" of a node of the wrong kind. Nothing for one that is refused already. */
+void value_wrong_kind(struct reader *reader, const struct yaml_node *node, const char *allowed);
 
 /* Reads `node` into the field of `key` in `object`. Problems go to the report; the field then keeps its default. */
 bool value_read(struct reader *reader, const struct key *key, const struct yaml_node *node, void *object);

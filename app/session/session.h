@@ -1,4 +1,4 @@
-/* Where the sessions that come with Frond are. */
+/* Where the sessions and exhibits that come with Frond are. */
 #ifndef FROND_SESSION_H
 #define FROND_SESSION_H
 
@@ -8,5 +8,7 @@
 /* The path of sessions/NAME.yaml: in config/ of the source tree that the program was built in, else in share/frond
  * beside the program, else where Frond was installed. False when there is none. */
 bool session_find(const char *name, char *path, size_t size);
+/* The same for exhibits/NAME.yaml. */
+bool exhibit_find(const char *name, char *path, size_t size);
 
 #endif

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <json.h>
@@ -13,6 +12,7 @@
 #include "bench.h"
 #include "file.h"
 #include "painting_gpu.h"
+#include "state.h"
 
 enum {
     WARM_TICKS = 4,
@@ -227,30 +227,7 @@ struct engine_choice engine_choose(enum engine_kind wanted, const struct paintin
     return choice;
 }
 
-/* Makes the folder and those above it. */
-static bool make_folders(char *path)
-{
-    for (char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        bool good = mkdir(path, 0777) == 0 || errno == EEXIST;
-        *slash = '/';
-        if (!good) {
-            return false;
-        }
-    }
-    return true;
-}
-
 bool engine_choice_path(char *path, size_t size)
 {
-    const char *service = getenv("STATE_DIRECTORY"), *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
-    int length = -1;
-    if (service && service[0] == '/') {
-        length = snprintf(path, size, "%.*s/engines.json", (int)strcspn(service, ":"), service);
-    } else if (state && state[0] == '/') {
-        length = snprintf(path, size, "%s/frond/engines.json", state);
-    } else if (home && home[0] == '/') {
-        length = snprintf(path, size, "%s/.local/state/frond/engines.json", home);
-    }
-    return length > 0 && (size_t)length < size && make_folders(path);
+    return state_path("engines.json", path, size);
 }

@@ -128,11 +128,11 @@ ln -s ../outside/a.png inside/link.png
 for path in ../outside/a.png /etc/hostname link.png; do
     printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: %s}}\n' "$path" >inside/s.yaml
     expect 1 check inside/s.yaml
-    says "inside/s.yaml:3:31: actions[0].mask.picture: '$path' leads out of the script's folder; a picture lies in it or below"
+    says "inside/s.yaml:3:31: actions[0].mask.picture: '$path' leads out of this file's folder; a picture lies in it or below"
 done
 printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: no.png}}\n' >inside/s.yaml
 expect 1 check inside/s.yaml
-says "inside/s.yaml:3:31: actions[0].mask.picture: 'no.png' is not there; a picture in the script's folder or below"
+says "inside/s.yaml:3:31: actions[0].mask.picture: 'no.png' is not there; a picture in this file's folder or below"
 printf 'text' >inside/text.png
 printf 'frond: 1\nactions:\n  - {tick: 0, mask: {picture: text.png}}\n' >inside/s.yaml
 expect 1 check inside/s.yaml
@@ -157,6 +157,19 @@ for name in pattern.catalyst pattern.active pattern.carved solvent.density ink.d
     grep -aq "$name" c.exr || fail "$last: c.exr lacks $name"
 done
 cmp -s a.json c.json && fail "$last: another seed is the same painting"
+
+# The branches, for a pen.
+expect 0 render one-drop.yaml --svg d.svg --paper 150 --ticks 300
+quiet
+grep -q '^<svg xmlns="http://www.w3.org/2000/svg" width="150mm" ' d.svg || fail "$last: d.svg is not 150 mm wide"
+grep -q '^<path stroke-width=' d.svg || fail "$last: d.svg has no branch"
+expect 0 render one-drop.yaml --svg e.svg --paper 150 --ticks 300 --threads 2
+cmp -s d.svg e.svg || fail "$last: threads change the branches"
+expect 2 render one-drop.yaml --svg f.svg --paper 9
+says "frond render: --paper: '9' is not it; 10 to 5000 mm"
+absent f.svg
+expect 1 render one-drop.yaml --svg nowhere/f.svg
+says "frond render: nowhere/f.svg: its folder is not there"
 
 # A picture guides a painting.
 cp a.png inside/text.png
@@ -209,6 +222,75 @@ quiet
 printf 'frond: 1\ncanvas: {width: 32, height: 24}\nticks: 12\ninks: [cyan]\n' >cyan.yaml
 expect 1 run cyan.yaml --display headless --frames 2 --inputs inputs.yaml
 says "inputs.yaml:3:30: bindings[0].drop.ink: 'carbon black' is not among the session's inks; one of cyan"
+
+# Exhibits: the shipped ones, with their recorded sessions, are right.
+expect 0 check "$data"/../../config/exhibits/*.yaml "$data"/../../config/exhibits/sessions/*.yaml
+quiet
+printf 'exhibit: 1\n' >exhibit.yaml
+expect 0 check exhibit.yaml
+quiet
+
+# All that is wrong with one, in the order of the file: its scenes, sessions and pictures too.
+mkdir -p exhibit/stock
+cp a.png exhibit/stock/good.png
+printf 'text' >exhibit/stock/text.png
+printf 'frond: 1\nactions:\n  - {tick: 0, drop: {at: [0.5, 2]}}\n' >exhibit/session.yaml
+cat >exhibit/e.yaml <<'END'
+exhibit: 1
+titel: {en: Frost}
+sheet: {cells: 345600, seed: -1}
+scenes:
+  - {id: dawn, palette: reaf, guide: ../a.png}
+  - {id: dawn, mask: stock/no.png}
+pictures: stock
+sessions: [session.yaml, no.yaml]
+seats:
+  - {zone: [0, 0, 0.6, 1], ink: black}
+  - {zone: [0.5, 0, 1, 1]}
+inputs:
+  bindings:
+    - {button: red, drop: {}}
+schedule:
+  - {days: mon-fri, open: 9, close: "18:00"}
+END
+expect 1 check exhibit/e.yaml
+says "exhibit/e.yaml:2:1: titel: unknown key; did you mean title? One of exhibit, title, display, sheet, engine, languages, texts, palettes, scenes, pictures, sessions, palette, seats, inputs, visit, access, schedule, wake, gallery, staff
+exhibit/e.yaml:3:30: sheet.seed: -1 is out of range; 0 to 2147483647
+exhibit/e.yaml:5:25: scenes[0].palette: unknown palette 'reaf'; did you mean reef? One of reef, garden, dusk, earth, press, harbour, kingfisher, lantern
+exhibit/e.yaml:5:38: scenes[0].guide: '../a.png' leads out of this file's folder; a picture lies in it or below
+exhibit/e.yaml:6:10: scenes[1].id: 'dawn' is there already; another word
+exhibit/e.yaml:6:22: scenes[1].mask: 'stock/no.png' is not there; a picture in this file's folder or below
+exhibit/e.yaml:7:11: pictures: 'stock/text.png' not a picture that Frond reads (PNG, JPEG, TIFF, EXR, WebP); a PNG, JPEG, TIFF, EXR or WebP picture
+exhibit/e.yaml:8:12: sessions[0]: session.yaml:3:32: actions[0].drop.at[1]: 2 is out of range; 0 to 1 of the sheet
+exhibit/e.yaml:8:26: sessions[1]: 'no.yaml' is not there; a session in this file's folder or below
+exhibit/e.yaml:10:33: seats[0].ink: 'black' is not among the first scene's inks; one of phthalo turquoise, quinacridone magenta, ochre, cobalt blue
+exhibit/e.yaml:11:12: seats[1].zone: overlaps that of seats[0]; zones that share nothing but edges
+exhibit/e.yaml:14:16: inputs.bindings[0].button: unknown button 'red'; there are none in gpio.buttons
+exhibit/e.yaml:16:27: schedule[0].open: '9' is no time; a time of day, 0:00 to 24:00"
+printf 'exhibit: 1\nscenes:\n  - {id: dawn, guide: stock/good.png, mask: stock/good.png}\n' >exhibit/e.yaml
+expect 0 check exhibit/e.yaml
+quiet
+
+# A bomb: references are refused before anything grows.
+printf 'exhibit: 1\na: &a [x]\nscenes: [*a, *a, *a]\n' >exhibit.yaml
+expect 1 check exhibit.yaml
+grep -qxF "exhibit.yaml:3:11: an alias; write the value out" err.txt || fail "$last: no alias"
+yes '#' | head -c 1100000 >exhibit.yaml
+expect 1 check exhibit.yaml
+says "exhibit.yaml: the file is larger than 1 MiB; a script is at most 1 MiB"
+
+expect 0 explain exhibit
+for word in "^exhibit: " "^display: " "^scenes: " "^  opacity" "^staff: "; do
+    grep -q "$word" out.txt || fail "$last: lacks $word"
+done
+grep -q "^drop:" out.txt && fail "$last: more than exhibits"
+expect 0 explain palette.target
+prints "  target (number; 15 to 60 mm; default 18)"
+expect 0 explain visit
+prints "visit: How long everything takes."
+prints "  idle (number; 5 to 3600 s; default 60)"
+expect 2 explain visti
+grep -q "^frond explain: nothing is called 'visti'; did you mean visit? One of " err.txt || fail "$last: no suggestion"
 
 # devices: without a device, without permission, and on a descriptor captured elsewhere.
 expect 0 devices

@@ -8,6 +8,7 @@
 struct figure {
     const char *name;     /* of the group */
     const char *out;      /* folder for the sheets */
+    bool keep;            /* what is drawn now is what later runs are compared with */
     int checks, failures; /* so far */
 };
 
@@ -40,7 +41,12 @@ void figure_random(struct figure *figure);  /* figure_random.c */
 void figure_brushes(struct figure *figure); /* figure_brushes.c */
 void figure_margin(struct figure *figure);  /* figure_margin.c */
 void figure_rest(struct figure *figure);    /* figure_rest.c */
+void figure_wash(struct figure *figure);    /* figure_wash.c */
+void figure_vision(struct figure *figure);  /* figure_vision.c */
+void figure_attract(struct figure *figure); /* figure_attract.c */
+void figure_history(struct figure *figure); /* figure_history.c */
 void figure_gpu(struct figure *figure);     /* figure_gpu.c */
+void figure_visit(struct figure *figure);   /* figure_visit.c */
 
 /* Prints "ok" or "FAIL", the name of the group and the text; counts. Returns `holds`. */
 bool figure_check(struct figure *figure, bool holds, const char *text, ...) __attribute__((format(printf, 3, 4)));

@@ -1,4 +1,4 @@
-/* figures [NAME...] [--out DIR]: draws the contact sheets and checks what is on them.
+/* figures [NAME...] [--out DIR] [--keep]: draws the contact sheets and checks what is on them.
  * Exit status: 0 all checks hold, 1 some do not, 2 usage, memory or files. */
 #include <errno.h>
 #include <stdarg.h>
@@ -33,6 +33,11 @@ static const struct figure_group GROUPS[] = {
     {"brushes", "the six brushes", figure_brushes},
     {"margin", "growth over the edge of the sheet", figure_margin},
     {"rest", "a finished painting comes to rest", figure_rest},
+    {"wash", "water washes a sheet", figure_wash},
+    {"visit", "what a visitor sees, in every state, language, hand", figure_visit},
+    {"vision", "palettes for colour-blind eyes", figure_vision},
+    {"attract", "what the sheet paints by itself", figure_attract},
+    {"history", "undo, redo and the time brush", figure_history},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };
@@ -68,8 +73,9 @@ void figure_stop(const char *what, const char *why)
 
 static void print_help(void)
 {
-    puts("figures [NAME...] [--out DIR]\n"
+    puts("figures [NAME...] [--out DIR] [--keep]\n"
          "  Draws contact sheets (DIR/NAME.png, default " FIGURES_OUT ") and checks what is on them.\n"
+         "  --keep: what is drawn of figure visit is what it is compared with from now on.\n"
          "  Without a name, all of them:");
     for (int i = 0; i < GROUP_COUNT; i++) {
         printf("    %-10s %s\n", GROUPS[i].name, GROUPS[i].meaning);
@@ -86,7 +92,7 @@ static int find_group(const char *name)
 }
 
 /* Marks the groups that are wanted; false after a complaint. */
-static bool read_arguments(int count, char **arguments, bool *wanted, const char **out)
+static bool read_arguments(int count, char **arguments, bool *wanted, const char **out, bool *keep)
 {
     bool any = false;
     for (int i = 1; i < count; i++) {
@@ -96,6 +102,10 @@ static bool read_arguments(int count, char **arguments, bool *wanted, const char
                 return false;
             }
             *out = arguments[i];
+            continue;
+        }
+        if (strcmp(arguments[i], "--keep") == 0) {
+            *keep = true;
             continue;
         }
         int group = find_group(arguments[i]);
@@ -130,7 +140,7 @@ static void make_folder(const char *path)
 
 int main(int count, char **arguments)
 {
-    bool wanted[GROUP_COUNT] = {false};
+    bool wanted[GROUP_COUNT] = {false}, keep = false;
     const char *out = FIGURES_OUT;
     for (int i = 1; i < count; i++) {
         if (strcmp(arguments[i], "--help") == 0) {
@@ -138,14 +148,14 @@ int main(int count, char **arguments)
             return 0;
         }
     }
-    if (!read_arguments(count, arguments, wanted, &out)) {
+    if (!read_arguments(count, arguments, wanted, &out, &keep)) {
         return 2;
     }
     make_folder(out);
     int checks = 0, failures = 0;
     for (int i = 0; i < GROUP_COUNT; i++) {
         if (wanted[i]) {
-            struct figure figure = {.name = GROUPS[i].name, .out = out};
+            struct figure figure = {.name = GROUPS[i].name, .out = out, .keep = keep};
             GROUPS[i].draw(&figure);
             fflush(stdout);
             checks += figure.checks;

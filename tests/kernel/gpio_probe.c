@@ -46,6 +46,9 @@ static void say_event(const struct event *event)
         printf("control %u %s %g device %u ago %lld\n", event->control, event->relative ? "turns" : "is",
                (double)event->value, event->device, ago);
         break;
+    case EVENT_STANDING:
+        printf("control %u stands\n", event->control);
+        break;
     case EVENT_ARRIVED:
         printf("device %u arrived\n", event->device);
         break;

@@ -5,7 +5,7 @@
 
 #include "controls.h"
 
-enum { INKS = 3 };
+enum { INKS = 3, MS = 1000 };
 
 struct place {
     struct inputs *inputs;
@@ -17,6 +17,13 @@ struct place {
 
 /* `bindings`: what follows `inputs: 1`. Fails with the report where they are wrong. */
 struct place open_place(const char *bindings);
+/* With seats. */
+struct place open_seats(const char *bindings, const struct exhibit_seat *seats, int seat_count);
 void close_place(struct place *place);
+
+void finger(struct place *place, enum event_kind kind, int slot, float x, float y);
+void control(struct place *place, enum event_source source, uint32_t device, uint32_t usage, float value);
+void wait_ms(struct place *place, int ms);
+bool take(struct place *place);
 
 #endif

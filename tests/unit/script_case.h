@@ -22,7 +22,7 @@ struct script_case {
     "alpha_a, alpha_y, beta_a, beta_y, beta_p, k, xi0, noise, delta, s_max, seam, stencil, weight, beta_v, dt, "       \
     "pattern_steps, fluid_steps, omega, mu, gamma, flood, drying, rewetting, evaporation"
 #define VERBS                                                                                                          \
-    "drop, brush_solvent, brush_ink, draw, guide, pour, mask, unmask, dry, wet, set, clear, "                          \
+    "drop, brush_solvent, brush_ink, draw, guide, pour, mask, unmask, dry, wet, rinse, set, clear, "                   \
     "undo, redo, rewind"
 #define KEYS       "frond, canvas, seed, ticks, inks, palette, mode, painting, actions"
 #define EXPRESSION "x, y, pi, numbers, + - * / ^ ( ), < <= > >= == != && || ?:, and functions like sin(x)"

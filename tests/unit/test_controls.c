@@ -14,22 +14,6 @@
 #include "lamps.h"
 #include "near.h"
 
-enum { MS = 1000 };
-
-static void finger(struct place *place, enum event_kind kind, int slot, float x, float y)
-{
-    struct event event = {.kind = kind, .source = SOURCE_TOUCH, .device = 1, .slot = slot, .x = x, .y = y};
-    event.time_us = place->now_us;
-    controls_feel(place->controls, &event);
-}
-
-static void control(struct place *place, enum event_source source, uint32_t device, uint32_t usage, float value)
-{
-    struct event event = {.kind = EVENT_CONTROL, .source = source, .device = device, .control = usage, .value = value};
-    event.time_us = place->now_us;
-    controls_feel(place->controls, &event);
-}
-
 static void centred(struct place *place, uint32_t usage, float value)
 {
     struct event event = {.kind = EVENT_CONTROL, .source = SOURCE_HID, .device = 1, .control = usage, .value = value};
@@ -44,17 +28,6 @@ static void steps(struct place *place, enum event_source source, uint32_t usage,
     event.relative = true;
     event.time_us = place->now_us;
     controls_feel(place->controls, &event);
-}
-
-static void wait_ms(struct place *place, int ms)
-{
-    place->now_us += (uint64_t)ms * MS;
-    controls_run(place->controls, place->now_us);
-}
-
-static bool take(struct place *place)
-{
-    return controls_action(place->controls, &place->action, &place->time_us);
 }
 
 static int count_actions(struct place *place, enum action_verb verb)
@@ -112,7 +85,7 @@ static void a_gamepad_moves_a_point_and_drops_there(void **state)
                                     "  - {usage: Button 1, drop: {}}\n"
                                     "  - {usage: Button 2, brush_ink: {}}\n");
     struct controls_cursor cursor;
-    assert_int_equal(controls_cursors(place.controls, &cursor, 1), 0);
+    assert_int_equal(controls_cursors(place.controls, place.now_us, &cursor, 1), 0);
     wait_ms(&place, 10);
     centred(&place, X, 0.5f);
     for (int i = 0; i < 10; i++) {
@@ -120,7 +93,7 @@ static void a_gamepad_moves_a_point_and_drops_there(void **state)
     }
     centred(&place, X, 0);
     wait_ms(&place, 50);
-    assert_int_equal(controls_cursors(place.controls, &cursor, 1), 1);
+    assert_int_equal(controls_cursors(place.controls, place.now_us, &cursor, 1), 1);
     assert_near(cursor.at.x, 0.5 + 0.5 * 0.25, 1e-4);
     control(&place, SOURCE_HID, 1, BUTTON_1, 1);
     control(&place, SOURCE_HID, 1, BUTTON_1, 0);
@@ -138,7 +111,7 @@ static void a_gamepad_moves_a_point_and_drops_there(void **state)
     controls_feel(place.controls, &left); /* in the middle of it: nothing goes on */
     wait_ms(&place, 50);
     assert_false(take(&place));
-    assert_int_equal(controls_cursors(place.controls, &cursor, 1), 0);
+    assert_int_equal(controls_cursors(place.controls, place.now_us, &cursor, 1), 0);
     assert_false(controls_are_held(place.controls));
     close_place(&place);
 }
@@ -283,11 +256,13 @@ static void undo_is_asked_for_once(void **state)
     (void)state;
     struct place place = open_place("bindings: [{usage: Button 1, when: long, undo: {}}]\n");
     control(&place, SOURCE_HID, 1, BUTTON_1, 1);
-    assert_false(controls_undo(place.controls));
+    struct wish wish;
+    assert_false(controls_wish(place.controls, &wish));
     place.now_us += 1000000;
     control(&place, SOURCE_HID, 1, BUTTON_1, 0);
-    assert_true(controls_undo(place.controls));
-    assert_false(controls_undo(place.controls));
+    assert_true(controls_wish(place.controls, &wish) && wish.kind == WISH_UNDO);
+    assert_true(wish.visitor == EXHIBIT_SEATS + 1 && !wish.down && wish.time_us == place.now_us);
+    assert_false(controls_wish(place.controls, &wish));
     assert_false(take(&place)); /* it lays nothing on the sheet */
     close_place(&place);
 }
@@ -400,6 +375,46 @@ static void lamps_light_and_breathe(void **state)
     close_place(&place);
 }
 
+static void lamps_of_controllers_light_for_their_own(void **state)
+{
+    (void)state;
+    struct place place = open_place("controllers:\n"
+                                    "  - {id: board, vendor: 1, name: board, lights: [\n"
+                                    "      {id: a, usage: 'LED: Power', button: Button 1},\n"
+                                    "      {id: b, bit: 8, bits: 8, most: 100, button: Button 2}]}\n"
+                                    "  - {id: pad, name: pad, lights: [{id: c, bit: 0, button: Button 1}]}\n"
+                                    "gpio: {lamps: [{id: l, line: A}]}\n");
+    const struct inputs_light *light = &place.inputs->lights[1];
+    assert_true(place.inputs->light_count == 3 && light->controller == 0 && !light->usage && light->most == 100);
+    struct lamps lamps = {.inputs = place.inputs};
+    struct event event = {.kind = EVENT_CONTROL, .source = SOURCE_HID, .device = 5, .value = 1, .time_us = 100000000};
+    int lamp;
+    float level;
+    event.control = BUTTON_1;
+    lamps_feel(&lamps, &event);
+    assert_false(lamps_next(&lamps, event.time_us, &lamp, &level)); /* nobody has said who that is */
+    lamps_introduce(&lamps, SOURCE_HID, &(struct device){.id = 5, .vendor = 1, .name = "Board"});
+    lamps_introduce(&lamps, SOURCE_HID, &(struct device){.id = 6, .vendor = 1, .name = "Pad"});
+    lamps_feel(&lamps, &event);
+    assert_true(lamps_next(&lamps, event.time_us, &lamp, &level) && lamp == 1 && level == 1.0f);
+    assert_false(lamps_next(&lamps, event.time_us, &lamp, &level)); /* that of the pad has another Button 1 */
+    event.device = 6;
+    lamps_feel(&lamps, &event);
+    assert_true(lamps_next(&lamps, event.time_us, &lamp, &level) && lamp == 3 && level == 1.0f);
+    event = (struct event){.kind = EVENT_LEFT, .source = SOURCE_HID, .device = 5, .time_us = event.time_us};
+    lamps_feel(&lamps, &event);
+    assert_true(lamps_next(&lamps, event.time_us, &lamp, &level) && lamp == 1 && level == 0.0f);
+    lamps_introduce(&lamps, SOURCE_HID, &(struct device){.id = 6, .vendor = 1, .name = "Pad"}); /* back, and dark */
+    assert_true(lamps_next(&lamps, event.time_us, &lamp, &level) && lamp == 3 && level == 1.0f);
+    assert_false(lamps_next(&lamps, event.time_us, &lamp, &level));
+    int told[4] = {0};
+    while (lamps_next(&lamps, event.time_us + 1000000 * LAMPS_IDLE_S + 4000 * MS, &lamp, &level)) {
+        told[lamp]++;
+    }
+    assert_true(told[0] == 1 && told[1] == 1 && told[2] == 1 && told[3] == 0); /* all breathe but the pressed one */
+    close_place(&place);
+}
+
 static void more_than_anybody_can_do_is_dropped_and_counted(void **state)
 {
     (void)state;
@@ -432,6 +447,7 @@ int main(void)
         cmocka_unit_test(axes_and_hats_can_be_buttons),
         cmocka_unit_test(a_binding_hears_its_controller_alone),
         cmocka_unit_test(lamps_light_and_breathe),
+        cmocka_unit_test(lamps_of_controllers_light_for_their_own),
         cmocka_unit_test(more_than_anybody_can_do_is_dropped_and_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -14,8 +14,6 @@
 #include "source_fake.h"
 #include "stroke.h"
 
-enum { MS = 1000 };
-
 #define X    HID_USAGE(HID_PAGE_DESKTOP, 0x30)
 #define DIAL HID_USAGE(HID_PAGE_DESKTOP, 0x37)
 
@@ -55,7 +53,7 @@ static void post_finger(struct storm *storm, int slot, enum event_kind kind)
     struct event event = {.kind = kind, .slot = slot};
     event.x = (float)roll(storm, 1000) / 1000;
     event.y = (float)roll(storm, 1000) / 1000;
-    storm->finger[slot] = kind != EVENT_UP;
+    storm->finger[slot] = kind == EVENT_DOWN || kind == EVENT_MOVE;
     source_fake_post(storm->touch, 0, &event);
 }
 
@@ -129,67 +127,193 @@ static void let_go(struct storm *storm)
     }
 }
 
+static const char BINDINGS[] = "gpio: {buttons: [{id: a, line: A}, {id: b, line: B}]}\n"
+                               "bindings:\n"
+                               "  - {touch: press, drop: {}}\n"
+                               "  - {touch: drag, brush_solvent: {}}\n"
+                               "  - {touch: drag, brush_ink: {}}\n"
+                               "  - {touch: two-finger drag, tool: guide, guide: {}}\n"
+                               "  - {touch: press, tool: pour, switch: {}}\n"
+                               "  - {touch: pinch, tool: pour, undo: {}}\n"
+                               "  - {usage: Button 1, drop: {}}\n"
+                               "  - {usage: Button 2, when: hold, ms: 50, pour: {}}\n"
+                               "  - {usage: Button 3, undo: {}}\n"
+                               "  - {usage: Button 4, switch: {}}\n"
+                               "  - {usage: Button 5, when: release, staff: {}}\n"
+                               "  - {usage: Button 6, next_ink: {}}\n"
+                               "  - {usage: Dial, turn: {coefficient: s_max, from: 0, to: 1}}\n"
+                               "  - {usage: X, turn: {coefficient: beta_a, from: 0, to: 8}}\n"
+                               "  - {button: a, when: release, dry: {}}\n"
+                               "  - {button: a, switch: {}}\n"
+                               "  - {button: b, when: double, clear: {}}\n";
+
+static const struct exhibit_seat SEATS[] = {{{0, 0, 0.5f, 0.5f}, -1, SIDE_OF_LEFT},
+                                            {{0.5f, 0, 1, 0.5f}, 1, SIDE_OF_RIGHT},
+                                            {{0.2f, 0.6f, 0.9f, 1}, -1, SIDE_OF_BOTTOM}};
+
+enum { SEAT_COUNT = 3, VISITORS = EXHIBIT_SEATS + 8 };
+
+struct heard {
+    int events, dried;
+    int switches[VISITORS], down[VISITORS]; /* told down; down now */
+};
+
+static void open_storm(struct place *place, struct storm *storm)
+{
+    *place = open_seats(BINDINGS, SEATS, SEAT_COUNT);
+    *storm = (struct storm){.touch = make_fake(place, SOURCE_TOUCH),
+                            .hid = make_fake(place, SOURCE_HID),
+                            .gpio = make_fake(place, SOURCE_GPIO)};
+}
+
+static void close_storm(struct place *place, struct storm *storm)
+{
+    source_destroy(storm->touch);
+    source_destroy(storm->hid);
+    source_destroy(storm->gpio);
+    close_place(place);
+}
+
+static void hear_actions(struct place *place, struct heard *heard)
+{
+    int actions = 0;
+    while (take(place)) {
+        const struct action *action = &place->action;
+        int visitor = action->visitor;
+        actions++;
+        heard->dried += action->verb == ACTION_DRY;
+        assert_true(action->path.count <= STROKE_POINTS);
+        assert_true(visitor >= 0 && visitor < VISITORS && action->ink >= 0 && action->ink < INKS);
+        assert_true(action->verb == ACTION_SET || (visitor != 0 && (visitor <= SEAT_COUNT || visitor > EXHIBIT_SEATS)));
+        bool inked = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_INK;
+        assert_true(visitor != 2 || !inked || action->ink == SEATS[1].ink);
+    }
+    assert_true(actions <= CONTROLS_ACTIONS);
+}
+
+static void hear_wishes(struct place *place, struct heard *heard)
+{
+    struct wish wish;
+    int wishes = 0;
+    while (controls_wish(place->controls, &wish)) {
+        wishes++;
+        assert_true(wish.visitor > 0 && wish.visitor < VISITORS);
+        if (wish.kind == WISH_SWITCH) {
+            heard->switches[wish.visitor] += wish.down;
+            heard->down[wish.visitor] += wish.down ? 1 : -1;
+            assert_true(heard->down[wish.visitor] >= 0);
+        }
+    }
+    assert_true(wishes <= CONTROLS_WISHES);
+}
+
+static void hear(struct place *place, const struct storm *storm, struct heard *heard)
+{
+    drain(place, storm->touch, &heard->events);
+    drain(place, storm->hid, &heard->events);
+    drain(place, storm->gpio, &heard->events);
+    controls_run(place->controls, place->now_us);
+    hear_actions(place, heard);
+    hear_wishes(place, heard);
+}
+
+static void assert_calm(struct place *place, const struct heard *heard)
+{
+    struct controls_counts counts = controls_counts(place->controls);
+    assert_int_equal(counts.fingers, 0);
+    controls_run(place->controls, place->now_us + 1000 * MS);
+    assert_int_equal(controls_counts(place->controls).held, 0);
+    assert_false(controls_are_held(place->controls));
+    for (int i = 0; i < VISITORS; i++) {
+        assert_int_equal(heard->down[i], 0);
+    }
+}
+
 static void a_storm_loses_no_release_and_leaves_nothing_stuck(void **state)
 {
     (void)state;
-    struct place place = open_place("gpio: {buttons: [{id: a, line: A}, {id: b, line: B}]}\n"
-                                    "bindings:\n"
-                                    "  - {touch: press, drop: {}}\n"
-                                    "  - {touch: drag, brush_solvent: {}}\n"
-                                    "  - {touch: drag, brush_ink: {}}\n"
-                                    "  - {touch: two-finger drag, guide: {}}\n"
-                                    "  - {usage: Button 1, drop: {}}\n"
-                                    "  - {usage: Button 2, when: hold, ms: 50, pour: {}}\n"
-                                    "  - {usage: Dial, turn: {coefficient: s_max, from: 0, to: 1}}\n"
-                                    "  - {usage: X, turn: {coefficient: beta_a, from: 0, to: 8}}\n"
-                                    "  - {button: a, when: release, dry: {}}\n"
-                                    "  - {button: b, when: double, clear: {}}\n");
-    struct storm storm = {.touch = make_fake(&place, SOURCE_TOUCH),
-                          .hid = make_fake(&place, SOURCE_HID),
-                          .gpio = make_fake(&place, SOURCE_GPIO)};
-    int events = 0, dried = 0;
+    struct place place;
+    struct storm storm;
+    struct heard heard = {.events = 0};
+    open_storm(&place, &storm);
     for (int ms = 0; ms <= STORM_MS; ms++) {
         if (ms == STORM_MS) {
             let_go(&storm);
         } else {
             blow(&storm);
         }
+        if (ms % 100 == 0) { /* somebody chooses */
+            controls_set_tool(place.controls, (int)roll(&storm, SEAT_COUNT), (enum exhibit_tool)roll(&storm, TOOLS));
+            controls_set_ink(place.controls, (int)roll(&storm, SEAT_COUNT), (int)roll(&storm, INKS + 1) - 1);
+        }
         if (ms % 16 == 0) { /* a tick */
-            int actions = 0;
-            drain(&place, storm.touch, &events);
-            drain(&place, storm.hid, &events);
-            drain(&place, storm.gpio, &events);
-            controls_run(place.controls, place.now_us);
-            struct action action;
-            uint64_t time_us;
-            while (controls_action(place.controls, &action, &time_us)) {
-                actions++;
-                dried += action.verb == ACTION_DRY;
-                assert_true(action.path.count <= STROKE_POINTS);
-            }
-            assert_true(actions <= CONTROLS_ACTIONS);
+            hear(&place, &storm, &heard);
         }
         place.now_us += MS;
     }
-    struct controls_counts counts = controls_counts(place.controls);
-    assert_true(events >= STORM_MS);
+    assert_true(heard.events >= STORM_MS);
     assert_int_equal(storm.presses, storm.releases);
-    assert_int_equal(dried, storm.releases); /* every release of that line was heard, and acted */
-    assert_int_equal(counts.dropped, 0);
-    assert_int_equal(counts.fingers, 0);
-    controls_run(place.controls, place.now_us + 1000 * MS);
-    assert_int_equal(controls_counts(place.controls).held, 0);
-    assert_false(controls_are_held(place.controls));
-    source_destroy(storm.touch);
-    source_destroy(storm.hid);
-    source_destroy(storm.gpio);
-    close_place(&place);
+    assert_int_equal(heard.dried, storm.releases); /* every release of that line was heard, and acted */
+    int lines = 0;
+    for (int i = EXHIBIT_SEATS + 1; i < VISITORS; i++) {
+        lines += heard.switches[i] == storm.presses;
+    }
+    assert_int_equal(lines, 1); /* and every press and release of it as a switch */
+    assert_int_equal(controls_counts(place.controls).dropped, 0);
+    assert_calm(&place, &heard);
+    close_storm(&place, &storm);
+}
+
+/* Devices that are pulled out in use, fingers that are taken away, visits that begin in the middle of it. */
+static void in_a_storm_devices_leave_and_visits_begin(void **state)
+{
+    (void)state;
+    struct place place;
+    struct storm storm;
+    struct heard heard = {.events = 0};
+    open_storm(&place, &storm);
+    for (int ms = 0; ms < STORM_MS; ms++) {
+        blow(&storm);
+        if (ms % 37 == 0) {
+            post_finger(&storm, (int)roll(&storm, FINGERS), EVENT_CANCEL);
+        }
+        if (ms % 100 == 0) {
+            controls_set_tool(place.controls, (int)roll(&storm, SEAT_COUNT), (enum exhibit_tool)roll(&storm, TOOLS));
+        }
+        if (ms % 700 == 0) {
+            struct source *const sources[] = {storm.touch, storm.hid, storm.gpio};
+            struct source *source = sources[roll(&storm, 3)];
+            source_fake_post(source, 0, &(struct event){.kind = EVENT_LEFT}); /* without a release before it */
+        }
+        if (ms % 900 == 0) {
+            controls_reset(place.controls);
+        }
+        if (ms % 16 == 0 || ms == STORM_MS - 1) {
+            hear(&place, &storm, &heard);
+        }
+        place.now_us += MS;
+    }
+    for (int slot = 0; slot < FINGERS; slot++) {
+        post_finger(&storm, slot, EVENT_UP);
+    }
+    let_go(&storm);
+    post_line(&storm, 0, false);
+    post_line(&storm, 1, false);
+    hear(&place, &storm, &heard);
+    assert_calm(&place, &heard);
+    int switches = 0;
+    for (int i = 0; i < VISITORS; i++) {
+        switches += heard.switches[i];
+    }
+    assert_true(switches > 1000);
+    close_storm(&place, &storm);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_storm_loses_no_release_and_leaves_nothing_stuck),
+        cmocka_unit_test(in_a_storm_devices_leave_and_visits_begin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

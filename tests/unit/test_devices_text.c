@@ -94,6 +94,7 @@ static const struct say SAYS[] = {
     {CONTROL(SOURCE_GPIO, 0, .value = 1), "chip", "'chip' red 1.000", "- {button: red, drop: {}}"},
     {CONTROL(SOURCE_GPIO, 1, .relative = true, .value = 1), "chip", "'chip' wheel +1",
      "- {encoder: wheel, turn: {coefficient: s_max, from: 0.1, to: 0.6}}"},
+    {{.kind = EVENT_STANDING, .source = SOURCE_GPIO, .value = 1}, "chip", "'chip' red is on", NULL},
     {CONTROL(SOURCE_KEY, 30, .value = 1), "Keys", "'Keys' a 1.000", "- {key: a, controller: staff, next_ink: {}}"},
     {{.kind = EVENT_DOWN, .source = SOURCE_TOUCH, .slot = 2, .x = 0.5f, .y = 0.25f},
      "Panel",
@@ -114,7 +115,7 @@ static void assert_valid(const char *binding)
     if (!inputs) {
         fail_msg("%s: %s", binding, report_text(&report));
     }
-    assert_int_equal(inputs->binding_count, 1);
+    assert_int_equal(inputs->written_count, 1);
     inputs_destroy(inputs);
     report_finish(&report);
 }

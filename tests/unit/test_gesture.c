@@ -59,7 +59,7 @@ static void a_finger_that_trembles_has_not_moved(void **state)
     feel(&gestures, &told, EVENT_MOVE, 0, 0.505f, 0.503f, 10);
     feel(&gestures, &told, EVENT_UP, 0, 0.505f, 0.503f, 100);
     assert_told(&told, "DU");
-    assert_false(gesture_any_down(&gestures));
+    assert_false(gesture_any_down(&gestures, 0));
 }
 
 static void a_drag_is_told_in_steps(void **state)
@@ -96,7 +96,7 @@ static void two_of_one_hand_go_together(void **state)
     feel(&gestures, &told, EVENT_MOVE, 1, 0.8f, 0.8f, 210); /* what is left of the two paints nothing */
     feel(&gestures, &told, EVENT_UP, 1, 0.8f, 0.8f, 220);
     assert_told(&told, "CC");
-    assert_false(gesture_any_down(&gestures));
+    assert_false(gesture_any_down(&gestures, 0));
 }
 
 static void spreading_doubles_twice(void **state)
@@ -132,7 +132,7 @@ static void visitors_apart_are_no_pair(void **state)
     assert_told(&told, "DDDD");
     gesture_leave(&gestures, SOURCE_TOUCH, 1, 2000000, tell, &told);
     assert_told(&told, "DDDDCCC");
-    assert_true(gesture_any_down(&gestures));
+    assert_true(gesture_any_down(&gestures, 0));
 }
 
 static void what_makes_no_sense_does_no_harm(void **state)
@@ -155,7 +155,7 @@ static void what_makes_no_sense_does_no_harm(void **state)
         feel(&gestures, &told, EVENT_UP, i, 0, 0, 50000);
     }
     assert_int_equal(told.count, GESTURE_FINGERS);
-    assert_false(gesture_any_down(&gestures));
+    assert_false(gesture_any_down(&gestures, 0));
 }
 
 static void strokes_keep_their_ends(void **state)

@@ -177,6 +177,41 @@ static void things_get_wet(void **state)
     check(*state, &action, true, false);
 }
 
+static void the_sheet_is_rinsed(void **state)
+{
+    static const struct point FRONT[] = {{0, 0.5f}, {0.4f, 0.8f}, {1, 0.6f}};
+    struct action action = action_default(ACTION_RINSE);
+    action.path = (struct action_path){FRONT, 3};
+    action.flow = (struct point){0.3f, 0.9f};
+    action.strength = 0.2f;
+    check(*state, &action, true, true); /* its last share takes brushes and a drawn line with it */
+    struct grown *grown = *state;
+    assert_true(grown->both.gpu_state.evaporated > 1 && grown->both.gpu_state.ink_dried > 1);
+    action = in_a_disc(ACTION_RINSE, 30);
+    check(*state, &action, true, false);
+}
+
+/* The water goes on over many ticks. */
+static void a_front_of_water_goes_over_the_sheet(void **state)
+{
+    struct grown *grown = *state;
+    gpu_case_load(&grown->both, &grown->checkpoint);
+    for (int tick = 0; tick < 40; tick++) {
+        float along = -0.2f + 0.05f * (float)tick;
+        struct point front[] = {{0, along}, {0.5f, along + 0.1f}, {1, along}};
+        struct action action = action_default(ACTION_RINSE);
+        action.path = (struct action_path){front, 3};
+        action.strength = 0.3f;
+        gpu_case_act(&grown->both, &action);
+        gpu_case_tick(&grown->both, 1);
+        if (tick % 10 == 9) {
+            gpu_case_compare(&grown->both, 5e-3, OUTLIERS);
+        }
+    }
+    struct painting_totals totals = grown->both.gpu->ops->totals(grown->both.gpu);
+    assert_true(totals.carved < 1e-3 && totals.ink < 1e-3 && totals.solvent < 1e-3);
+}
+
 static void coefficients_are_set(void **state)
 {
     struct action action = in_a_disc(ACTION_SET, 40);
@@ -250,6 +285,8 @@ int main(void)
         cmocka_unit_test(obstacles_come_and_go),
         cmocka_unit_test(things_dry),
         cmocka_unit_test(things_get_wet),
+        cmocka_unit_test(the_sheet_is_rinsed),
+        cmocka_unit_test(a_front_of_water_goes_over_the_sheet),
         cmocka_unit_test(coefficients_are_set),
         cmocka_unit_test(the_sheet_is_cleared),
         cmocka_unit_test(acts_on_what_sleeps),

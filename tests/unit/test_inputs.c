@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exhibit.h"
 #include "inputs.h"
 #include "near.h"
 #include "script_case.h"
@@ -50,7 +51,8 @@ static const struct script_case BAD[] = {
     {"no source", BYTES("inputs: 1\nbindings:\n  - {drop: {}}\n"),
      "s.yaml:3:5: bindings[0]: no source is given; one of touch, usage, button, encoder, key\n"},
     {"no action", BYTES("inputs: 1\nbindings:\n  - {touch: tap}\n"),
-     "s.yaml:3:5: bindings[0]: no action is given; one of " VERBS ", next_ink, cursor, turn, dial\n"},
+     "s.yaml:3:5: bindings[0]: no action is given; one of " VERBS ", next_ink, finish, staff, next_tool, next_scene, "
+     "next_language, switch, cursor, turn, dial\n"},
     {"two sources", BYTES("inputs: 1\nbindings:\n  - {touch: tap, usage: X, drop: {}}\n"),
      "s.yaml:3:25: bindings[0].usage: a second source, after touch; a binding has one\n"},
     {"two actions", BYTES("inputs: 1\nbindings:\n  - {touch: tap, drop: {}, clear: {}}\n"),
@@ -98,6 +100,53 @@ static const struct script_case BAD[] = {
      BYTES("inputs: 1\nbindings:\n  - {touch: tap, draw: {path: [[0, 0], [0, 0], [0, 0], [0, 0], [0, 0], "
            "[0, 0], [0, 0], [0, 0], [0, 0]]}}\n"),
      "s.yaml:3:31: bindings[0].draw.path: a path of 9 points; at most 8 in a binding\n"},
+    {"a tool", BYTES("inputs: 1\nbindings:\n  - {touch: tap, tool: musk, drop: {}}\n"),
+     "s.yaml:3:24: bindings[0].tool: unknown choice 'musk'; did you mean mask? One of drop, brush, guide, pour, mask, "
+     "rewind\n"},
+    {"a tool of no finger", BYTES("inputs: 1\nbindings:\n  - {usage: Button 1, tool: brush, drop: {}}\n"),
+     "s.yaml:3:29: bindings[0].tool: goes with touch, not with usage; fingers have tools\n"},
+    {"a tool of a key without its keyboard", BYTES("inputs: 1\nbindings:\n  - {key: F9, tool: brush, finish: {}}\n"),
+     "s.yaml:3:11: bindings[0].key: no keyboard is admitted; keyboards: [{id: WORD, vendor: ID, product: ID}]\n"
+     "s.yaml:3:21: bindings[0].tool: goes with touch, not with key; fingers have tools\n"},
+    {"a tool that is a list", BYTES("inputs: 1\nbindings:\n  - {touch: tap, tool: [brush, guide], drop: {}}\n"),
+     "s.yaml:3:24: bindings[0].tool: a list where a name should be; one of drop, brush, guide, pour, mask, rewind\n"},
+    {"a switch that is dragged", BYTES("inputs: 1\nbindings:\n  - {touch: drag, switch: {}}\n"),
+     "s.yaml:3:27: bindings[0].switch: goes down and comes up; touch: press, a usage, a button or a key\n"},
+    {"a switch that is tapped", BYTES("inputs: 1\nbindings:\n  - {touch: tap, switch: {}}\n"),
+     "s.yaml:3:26: bindings[0].switch: goes down and comes up; touch: press, a usage, a button or a key\n"},
+    {"a switch with a condition", BYTES("inputs: 1\nbindings:\n  - {touch: press, when: long, switch: {}}\n"),
+     "s.yaml:3:40: bindings[0].switch: is told of every press and its end; without when\n"},
+    {"a switch that moves", BYTES("inputs: 1\nbindings:\n  - {usage: Dial, when: move, switch: {}}\n"),
+     "s.yaml:3:39: bindings[0].switch: is told of every press and its end; without when\n"},
+    {"redo of what", BYTES("inputs: 1\nbindings:\n  - {touch: tap, redo: {steps: 2}}\n"),
+     "s.yaml:3:25: bindings[0].redo.steps: unknown key; it takes none\n"},
+    {"finish what", BYTES("inputs: 1\nbindings:\n  - {touch: tap, finish: now}\n"),
+     "s.yaml:3:26: bindings[0].finish: 'now'; a mapping: {parameter: value, ...}, or {}\n"},
+    {"staff twice", BYTES("inputs: 1\nbindings:\n  - {touch: tap, staff: {}, next_scene: {}}\n"),
+     "s.yaml:3:41: bindings[0].next_scene: a second action, after staff; a binding has one\n"},
+    {"a language", BYTES("inputs: 1\nbindings:\n  - {usage: Button 1, next_language: fr}\n"),
+     "s.yaml:3:38: bindings[0].next_language: 'fr'; a mapping: {parameter: value, ...}, or {}\n"},
+    {"a switch that is turned",
+     BYTES("inputs: 1\ngpio: {encoders: [{id: w, a: GPIO1, b: GPIO2}]}\nbindings:\n  - {encoder: w, switch: {}}\n"),
+     "s.yaml:4:26: bindings[0].switch: goes down and comes up; touch: press, a usage, a button or a key\n"},
+    {"a lamp nowhere", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: [{id: l, bits: 4}]}]\n"),
+     "s.yaml:2:41: controllers[0].lights[0]: nothing says where it is; usage, or bit: its first bit in the output "
+     "report\n"},
+    {"a lamp in two places",
+     BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: [{id: l, bit: 4, usage: 'LED: Power'}]}]\n"),
+     "s.yaml:2:54: controllers[0].lights[0]: usage says where it is already; one of both\n"},
+    {"a lamp of no usage",
+     BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: [{id: l, usage: Lamp, button: 3}]}]\n"),
+     "s.yaml:2:56: controllers[0].lights[0].usage: unknown usage 'Lamp'; a HID usage by name (X, Dial, Button 3) or "
+     "number (0x00090003)\n"
+     "s.yaml:2:70: controllers[0].lights[0].button: unknown usage '3'; a HID usage by name (X, Dial, Button 3) or "
+     "number (0x00090003)\n"},
+    {"a lamp of no list", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: yes}]\n"),
+     "s.yaml:2:40: controllers[0].lights: 'yes'; a list of {id: WORD, usage: NAME, ...}\n"},
+    {"a lamp of a keyboard", BYTES("inputs: 1\nkeyboards: [{id: a, name: x, lights: []}]\n"),
+     "s.yaml:2:30: keyboards[0].lights: unknown key; one of id, vendor, product, name\n"},
+    {"a lamp in a word", BYTES("inputs: 1\ncontrollers: [{id: a, name: x, lights: [on]}]\n"),
+     "s.yaml:2:41: controllers[0].lights[0]: 'on'; {id: WORD, usage: NAME, ...} or {id: WORD, bit: N, bits: N, ...}\n"},
     {"an ink", BYTES("inputs: 1\nbindings:\n  - {touch: tap, drop: {ink: ochr}}\n"),
      "s.yaml:3:30: bindings[0].drop.ink: unknown ink 'ochr'; did you mean ochre? One of " INKS "\n"},
 };
@@ -173,7 +222,68 @@ static void a_file_becomes_what_it_says(void **state)
     assert_true(bindings[2].where == WHERE_SHEET && bindings[2].ms == 500);
     assert_true(bindings[3].source == BINDING_ENCODER && bindings[3].control == 1); /* after the only button */
     assert_true(bindings[4].when == PRESS_HOLD && bindings[4].where == WHERE_THERE);
+    assert_int_equal(inputs->written_count, 5);
     inputs_destroy(inputs);
+}
+
+static int count_touches(const struct inputs *inputs, enum exhibit_tool tool)
+{
+    int count = 0;
+    for (int i = 0; i < inputs->binding_count; i++) {
+        count += inputs->bindings[i].source == BINDING_TOUCH && inputs->bindings[i].tool == (int)tool;
+    }
+    return count;
+}
+
+static void tools_without_a_binding_have_the_default_ones(void **state)
+{
+    (void)state;
+    struct inputs *whole = inputs_default(NULL);
+    assert_int_equal(whole->written_count, whole->binding_count);
+    struct inputs *inputs =
+        parse("inputs: 1\n"
+              "bindings:\n"
+              "  - {usage: Button 1, drop: {}, when: release, length: {parameter: radius, from: 4, to: 9}}\n"
+              "  - {touch: tap, tool: brush, clear: {}}\n",
+              NULL);
+    assert_int_equal(inputs->written_count, 2);
+    for (int tool = 0; tool < TOOLS; tool++) {
+        int expected = tool == TOOL_BRUSH ? 1 : count_touches(whole, (enum exhibit_tool)tool);
+        assert_int_equal(count_touches(inputs, (enum exhibit_tool)tool), expected);
+        assert_true(expected > 0);
+    }
+    for (int i = 2; i < inputs->binding_count; i++) {
+        assert_true(inputs->bindings[i].source == BINDING_TOUCH && !inputs->bindings[i].has_length);
+    }
+    inputs_destroy(inputs);
+    inputs_destroy(whole);
+}
+
+static void as_many_bindings_as_a_file_may_have(void **state)
+{
+    (void)state;
+    static char text[INPUTS_WRITTEN * 64];
+    struct script_def def = script_default_def();
+    struct report report;
+    for (int most = INPUTS_WRITTEN; most <= INPUTS_WRITTEN + 1; most++) {
+        int length = snprintf(text, sizeof text, "inputs: 1\nbindings:\n");
+        for (int i = 0; i < most; i++) {
+            length += snprintf(text + length, sizeof text - (size_t)length, "  - {usage: Button 1, drop: {}}\n");
+        }
+        report_init(&report, "s.yaml");
+        struct inputs *inputs = inputs_parse(text, (size_t)length, ".", NULL, &def, &report);
+        char *problems = report_text(&report);
+        if (most == INPUTS_WRITTEN) {
+            assert_int_equal(inputs->written_count, most);
+            assert_true(count_touches(inputs, TOOL_REWIND) > 0); /* the default ones have room of their own */
+        } else {
+            assert_null(inputs);
+            assert_string_equal(problems, "s.yaml:3:3: bindings: a list of 129; at most 128\n");
+        }
+        free(problems);
+        report_finish(&report);
+        inputs_destroy(inputs);
+    }
 }
 
 static void inks_are_the_sessions(void **state)
@@ -225,6 +335,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bad_files_are_told_word_for_word),
         cmocka_unit_test(a_file_becomes_what_it_says),
+        cmocka_unit_test(tools_without_a_binding_have_the_default_ones),
+        cmocka_unit_test(as_many_bindings_as_a_file_may_have),
         cmocka_unit_test(inks_are_the_sessions),
         cmocka_unit_test(the_default_is_valid),
         cmocka_unit_test(names_match_in_parts_case_aside),

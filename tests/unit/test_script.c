@@ -303,7 +303,7 @@ static void test_limits(void **state)
     static const char MANY[] = "frond: 1\ncanvas: {width: 16, height: 16}\nactions:\n"
                                "  - {tick: 0, mask: {formula: x}}\n  - {tick: 0, guide: {formula: [x, y]}}\n";
     refuse(MANY, sizeof MANY - 1, &def,
-           "s.yaml:5:32: actions[1].guide.formula: too much for one script; 512 values in all formulas and pictures "
+           "s.yaml:5:32: actions[1].guide.formula: too much for one file; 512 values in all formulas and pictures "
            "together\n");
 
     enum { SIZE = (1 << 20) + 1 };

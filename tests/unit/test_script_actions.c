@@ -172,6 +172,19 @@ static const struct script_case ACTIONS[] = {
            "actions:\n"
            "  - {tick: 1, mask: {}}\n"),
      "s.yaml:4:21: actions[0].mask: no place is given; at, a path, a formula or a picture\n"},
+    {"rinse nowhere",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 1, rinse: {flow: [0, 1]}}\n"),
+     "s.yaml:4:22: actions[0].rinse: no place is given; at or a path\n"},
+    {"rinse here and there",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 1, rinse: {at: [0.5, 0.5], path: [[0, -1.5], [1, 3.5]]}}\n"),
+     "s.yaml:4:22: actions[0].rinse: both at and a path; one of them\n"
+     "s.yaml:4:61: actions[0].rinse.path[1][1]: 3.5 is out of range; -2 to 3 of the sheet\n"},
     {"guide nowhere",
      BYTES("frond: 1\n"
            "inks: [cyan, magenta]\n"

@@ -137,7 +137,7 @@ static const struct script_case SESSION[] = {
      BYTES("frond: 1\n"
            "palette: gardn\n"),
      "s.yaml:2:10: palette: unknown palette 'gardn'; did you mean garden? One of reef, garden, dusk, earth, "
-     "press\n"},
+     "press, harbour, kingfisher, lantern\n"},
     {"palette and inks",
      BYTES("frond: 1\n"
            "palette: reef\n"

@@ -170,7 +170,7 @@ static void where_the_kernel_debounces_it_is_not_done_twice(void **state)
     source_destroy(fixture.source);
 }
 
-static void a_button_held_at_the_start_is_no_press(void **state)
+static void a_button_held_at_the_start_is_said_and_is_no_press(void **state)
 {
     (void)state;
     struct fixture fixture = {.fake.now_us = 1000};
@@ -178,12 +178,16 @@ static void a_button_held_at_the_start_is_no_press(void **state)
     level(&fixture, 4, true);
     level(&fixture, 1, true);
     fixture.source = create(&fixture.fake, &def);
-    expect(&fixture, EVENT_ARRIVED, 0, 0);
+    uint32_t device = expect(&fixture, EVENT_ARRIVED, 0, 0).device;
+    assert_int_equal(expect(&fixture, EVENT_STANDING, RED, 1).device, device);
+    expect(&fixture, EVENT_STANDING, GREEN, 1);
     pass(&fixture, 3000000);
-    expect_nothing(&fixture);
+    expect_nothing(&fixture); /* once */
     level(&fixture, 4, false);
     level(&fixture, 1, false);
     pass(&fixture, 50000);
+    expect(&fixture, EVENT_CONTROL, GREEN, 0); /* which does not settle first */
+    expect(&fixture, EVENT_CONTROL, RED, 0);
     expect_nothing(&fixture);
     level(&fixture, 4, true);
     pass(&fixture, 50000);
@@ -275,7 +279,8 @@ static void a_chip_that_no_longer_answers_has_left(void **state)
     fixture->fake.chips[2].broken = 0;
     pass(fixture, 1100000);
     expect(fixture, EVENT_ARRIVED, 0, 0);
-    expect_nothing(fixture); /* GREEN is still held down: no press */
+    expect(fixture, EVENT_STANDING, GREEN, 1); /* still held down: no press */
+    expect_nothing(fixture);
 }
 
 static void replugging_between_two_looks_is_seen(void **state)
@@ -574,7 +579,7 @@ int main(void)
         WITH_BOARD(presses_have_the_times_of_the_first_contact),
         WITH_BOARD(without_debounce_it_is_said_at_once),
         cmocka_unit_test(where_the_kernel_debounces_it_is_not_done_twice),
-        cmocka_unit_test(a_button_held_at_the_start_is_no_press),
+        cmocka_unit_test(a_button_held_at_the_start_is_said_and_is_no_press),
         WITH_BOARD(an_encoder_turns_as_its_times_say),
         cmocka_unit_test(a_reversed_encoder_turns_the_other_way),
         WITH_BOARD(a_chip_that_leaves_lets_go_of_its_buttons),

@@ -23,7 +23,9 @@
 enum { PATIENCE_MS = 8000 };
 
 static const char TEXT[] = "inputs: 1\n"
-                           "controllers: [{id: pad, vendor: '1209', name: little}]\n"
+                           "controllers:\n"
+                           "  - {id: pad, vendor: '1209', name: little}\n"
+                           "  - {id: mouse, name: space, lights: [{id: ring, usage: 'LED: Generic indicator'}]}\n"
                            "gpio:\n"
                            "  buttons: [{id: red, chip: mock-gpio, line: 1, debounce: 0}]\n"
                            "  lamps: [{id: light, line: LINE2, button: red}]\n"
@@ -49,7 +51,8 @@ static struct kiosk open_kiosk(void)
     report_finish(&report);
     assert_non_null(kiosk.inputs);
     kiosk.sources = sources_create(&(struct sources_def){.inputs = kiosk.inputs});
-    kiosk.controls = controls_create(&(struct controls_def){kiosk.inputs, 2, coefficients_default()});
+    kiosk.controls = controls_create(
+        &(struct controls_def){.inputs = kiosk.inputs, .inks = 2, .coefficients = coefficients_default()});
     assert_true(kiosk.sources && kiosk.controls);
     return kiosk;
 }
@@ -159,6 +162,35 @@ static void a_gamepad_is_listed_and_pours(void **state)
     hid_mock_destroy(mock);
 }
 
+static void a_lamp_of_a_controller_is_lit(void **state)
+{
+    (void)state;
+    struct hid_mock *mock = hid_mock_create();
+    assert_non_null(mock);
+    const struct hid_sample *sample = hid_sample("space_mouse");
+    const struct hid_mock_def def = {.name = "Space Mouse",
+                                     .vendor = 0x256f,
+                                     .product = 0xc635,
+                                     .usb = "1-1",
+                                     .descriptor = sample->bytes,
+                                     .size = sample->size};
+    int node = hid_mock_plug(mock, &def), count = 0;
+    hid_mock_announce(mock, node, "add");
+    struct kiosk kiosk = open_kiosk();
+    wait_for_line(&kiosk, "Space Mouse");
+    uint8_t bytes[8] = {0};
+    sources_light(kiosk.sources, 0, 1); /* that of a line, which is not here */
+    sources_light(kiosk.sources, 1, 1);
+    for (uint64_t until = source_now_us() + 1000u * PATIENCE_MS; count == 0 && source_now_us() < until;) {
+        turn(&kiosk);
+        hid_mock_written(mock, node, bytes, sizeof bytes, &count);
+    }
+    assert_int_equal(count, 1);
+    assert_memory_equal(bytes, ((uint8_t[]){4, 1}), 2);
+    close_kiosk(&kiosk);
+    hid_mock_destroy(mock);
+}
+
 static void a_button_on_a_line_is_listed_and_wets(void **state)
 {
     (void)state;
@@ -185,6 +217,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_gamepad_is_listed_and_pours),
+        cmocka_unit_test(a_lamp_of_a_controller_is_lit),
         cmocka_unit_test(a_button_on_a_line_is_listed_and_wets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

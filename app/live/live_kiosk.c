@@ -1,0 +1,328 @@
+#include "live_kiosk.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "script_sheet.h"
+
+static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are left to others */
+
+static uint64_t now_us(const struct live_kiosk *kiosk)
+{
+    return live_clock_us(&kiosk->clock);
+}
+
+static void say(struct live_kiosk *kiosk, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void say(struct live_kiosk *kiosk, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(kiosk->line, sizeof kiosk->line, format, arguments);
+    va_end(arguments);
+    kiosk->level = LOG_LEVEL_INFO;
+    kiosk->has_line = true;
+}
+
+static bool stage_post(void *context, const struct action *action, uint64_t event_us)
+{
+    struct live_kiosk *kiosk = context;
+    bool posted = studio_post_event(kiosk->status.studio, action, event_us);
+    kiosk->drops += posted && action->verb == ACTION_DROP && action->visitor > 0;
+    return posted;
+}
+
+static void stage_fresh(void *context)
+{
+    struct live_kiosk *kiosk = context;
+    live_picture_hold(kiosk->picture);
+    studio_fresh(kiosk->status.studio);
+}
+
+static void stage_change(void *context, const struct script *script)
+{
+    struct live_kiosk *kiosk = context;
+    studio_change(kiosk->status.studio, script);
+    kiosk->other = true;
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+}
+
+static void stage_keep(void *context)
+{
+    struct live_kiosk *kiosk = context;
+    kiosk->keep = kiosk->gallery;
+}
+
+static void stage_power(void *context, bool on)
+{
+    struct live_kiosk *kiosk = context;
+    display_power(kiosk->status.display, on);
+}
+
+static struct kiosk_sheet stage_sheet(void *context)
+{
+    struct live_kiosk *kiosk = context;
+    struct studio_report report = studio_report(kiosk->status.studio);
+    return (struct kiosk_sheet){report.sessions, report.ticks, report.can_undo, report.can_redo};
+}
+
+static void stage_status(void *context, char *lines, size_t size)
+{
+    struct live_kiosk *kiosk = context;
+    live_status(&kiosk->status, lines, size);
+}
+
+void live_kiosk_fit(struct exhibit *exhibit, int width, int height)
+{
+    for (int i = 0; width > 0 && height > 0 && i < exhibit->scene_count; i++) {
+        script_fit(exhibit->scenes[i].script, width, height);
+        exhibit->scenes[i].script->ticks = SCRIPT_TICKS_MAX; /* it ends by the visit, not by itself */
+    }
+}
+
+static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit)
+{
+    char folder[1200];
+    gallery_destroy(kiosk->gallery);
+    kiosk->gallery = NULL;
+    if (kiosk->state && exhibit->gallery.folder) {
+        snprintf(folder, sizeof folder, "%s/%s", kiosk->state, exhibit->gallery.folder);
+        kiosk->gallery = gallery_create(&(struct gallery_def){.folder = folder,
+                                                              .pictures = exhibit->gallery.pictures,
+                                                              .bytes = (int64_t)exhibit->gallery.megabytes << 20,
+                                                              .spare = SPARE_BYTES});
+    }
+    kiosk->status.gallery = kiosk->gallery;
+}
+
+/* The controls of this exhibit: other devices and bindings, where its inputs are others. */
+static bool open_input(struct live_kiosk *kiosk, const struct exhibit *exhibit)
+{
+    struct live_input_def *def = &kiosk->input_def;
+    live_input_close(kiosk->input);
+    def->inputs = exhibit->inputs;
+    def->seats = exhibit->seats;
+    def->seat_count = exhibit->seat_count;
+    def->kiosk = kiosk->kiosk;
+    bool good = live_input_open(kiosk->input, kiosk_scene(kiosk->kiosk)->script, kiosk->status.display, def);
+    kiosk_controls(kiosk->kiosk, kiosk->input->controls);
+    return good;
+}
+
+/* The exhibit's file is wrong, and why. */
+static void refuse(struct live_kiosk *kiosk, const char *what, const char *report)
+{
+    kiosk_trouble(kiosk->kiosk, report);
+    say(kiosk, "%s:\n%.1100s", what, report);
+    kiosk->level = LOG_LEVEL_WARNING;
+    kiosk->errors++;
+    kiosk->wrong = true;
+}
+
+bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def, const struct live_status_def *status,
+                     struct live_picture *picture, struct live_input *input, const struct live_input_def *input_def,
+                     const struct shader_folder *folder)
+{
+    struct display_size size = display_sheet(status->display);
+    *kiosk = (struct live_kiosk){.status = *status,
+                                 .picture = picture,
+                                 .input = input,
+                                 .state = def->state,
+                                 .painting = def->painting,
+                                 .clock = def->clock};
+    kiosk->input_def = *input_def;
+    kiosk->input_def.clock = def->clock;
+    live_overlay_init(&kiosk->overlay, folder);
+    if (!def->exhibit) {
+        return true;
+    }
+    struct kiosk_def kiosk_def = {
+        .exhibit = def->exhibit,
+        .width = size.width > 0 ? size.width : DISPLAY_HEADLESS_WIDTH,
+        .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
+        .seed = (uint64_t)live_clock_wall(&def->clock),
+        .built = FROND_BUILT,
+        .open = def->open,
+        .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power, stage_sheet, stage_status}};
+    kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
+    kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
+    if (!kiosk->kiosk || !kiosk->watch) {
+        return false;
+    }
+    if (def->trouble) {
+        refuse(kiosk, "the exhibit cannot be shown, and another one stands in for it until it can", def->trouble);
+    }
+    open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+    kiosk->other = true;
+    return open_input(kiosk, kiosk_shows(kiosk->kiosk));
+}
+
+/* After the studio, which has scripts of the exhibit. */
+void live_kiosk_close(struct live_kiosk *kiosk)
+{
+    live_overlay_finish(&kiosk->overlay);
+    exhibit_watch_destroy(kiosk->watch);
+    kiosk_destroy(kiosk->kiosk);
+    exhibit_destroy(kiosk->before);
+    gallery_destroy(kiosk->gallery);
+    *kiosk = (struct live_kiosk){.kiosk = NULL};
+}
+
+/* Whether what visitors hold may stay in their hands. */
+static bool same_hands(const struct exhibit *now, const struct exhibit *next)
+{
+    return now->inputs_mark == next->inputs_mark && now->seat_count == next->seat_count &&
+           memcmp(now->seats, next->seats, sizeof now->seats) == 0 &&
+           now->scenes[0].script->ink_count == next->scenes[0].script->ink_count;
+}
+
+/* The exhibit as its file is now. The painting goes on. */
+static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
+{
+    struct display_size size = display_sheet(kiosk->status.display);
+    live_kiosk_fit(exhibit, size.width, size.height);
+    kiosk_trouble(kiosk->kiosk, NULL);
+    bool same = same_hands(kiosk_shows(kiosk->kiosk), exhibit);
+    kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
+    open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    if (same) { /* the inputs in use become the new exhibit's */
+        struct inputs *inputs = exhibit->inputs;
+        exhibit->inputs = kiosk->before->inputs;
+        kiosk->before->inputs = inputs;
+        kiosk_controls(kiosk->kiosk, kiosk->input->controls);
+    } else {
+        open_input(kiosk, kiosk_shows(kiosk->kiosk));
+    }
+    say(kiosk, "%s: taken up %.0f ms after it was changed%s", kiosk_shows(kiosk->kiosk)->path,
+        exhibit_watch_ms(kiosk->watch), same ? "" : ", with other inputs");
+    kiosk->reloads++;
+    kiosk->wrong = false;
+}
+
+static void look_at_file(struct live_kiosk *kiosk)
+{
+    struct exhibit *exhibit = NULL;
+    char *report = NULL;
+    if (kiosk->before) { /* one after another */
+        if (studio_script(kiosk->status.studio) == kiosk_scene(kiosk->kiosk)->script) {
+            exhibit_destroy(kiosk->before);
+            kiosk->before = NULL;
+        }
+        return;
+    }
+    switch (exhibit_watch_news(kiosk->watch, now_us(kiosk), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
+    case EXHIBIT_READ:
+        take_up(kiosk, exhibit);
+        break;
+    case EXHIBIT_WRONG:
+        refuse(kiosk, "the exhibit stays as it was", report);
+        free(report);
+        break;
+    default:
+        break;
+    }
+}
+
+void live_kiosk_run(struct live_kiosk *kiosk)
+{
+    if (!kiosk->kiosk) {
+        return;
+    }
+    const struct script *script = kiosk_scene(kiosk->kiosk)->script;
+    kiosk_run(kiosk->kiosk, now_us(kiosk), live_clock_wall(&kiosk->clock));
+    if (kiosk->other && studio_script(kiosk->status.studio) == script) {
+        live_picture_change(kiosk->picture, script);
+        live_care_change(kiosk->status.care, script);
+        kiosk->other = false;
+    }
+    if (kiosk_is_visited(kiosk->kiosk) != kiosk->visited) {
+        kiosk->visited = !kiosk->visited;
+        live_keep_visit(kiosk->painting, kiosk->visited);
+    }
+    look_at_file(kiosk);
+}
+
+bool live_kiosk_changed(struct live_kiosk *kiosk)
+{
+    return kiosk->kiosk && kiosk_look(kiosk->kiosk, now_us(kiosk))->changed;
+}
+
+static void keep(struct live_kiosk *kiosk)
+{
+    int width, height;
+    uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
+    kiosk->keep = false;
+    if (rgb) {
+        char journal[40];
+        int fd = live_keep_journal(kiosk->painting);
+        snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);
+        gallery_keep(kiosk->gallery, &(struct gallery_picture){.rgb = rgb,
+                                                               .width = width,
+                                                               .height = height,
+                                                               .unix_s = (int64_t)live_clock_wall(&kiosk->clock),
+                                                               .journal = fd >= 0 ? journal : NULL});
+        if (fd >= 0) {
+            close(fd);
+        }
+    }
+}
+
+bool live_kiosk_draw(struct live_kiosk *kiosk, struct shader_error *error)
+{
+    if (!kiosk->kiosk) {
+        return true;
+    }
+    if (kiosk->keep) {
+        keep(kiosk);
+    }
+    return live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us(kiosk)), error);
+}
+
+void live_kiosk_lost(struct live_kiosk *kiosk)
+{
+    live_overlay_finish(&kiosk->overlay);
+}
+
+int live_kiosk_wait_ms(const struct live_kiosk *kiosk, int most)
+{
+    return kiosk->kiosk ? kiosk_timeout_ms(kiosk->kiosk, now_us(kiosk), most) : most;
+}
+
+bool live_kiosk_leaves(const struct live_kiosk *kiosk)
+{
+    return kiosk->kiosk && kiosk_leaves(kiosk->kiosk);
+}
+
+/* What the visit has come to, whenever that is another state than before. */
+static void note_visit(struct live_kiosk *kiosk)
+{
+    const char *state = kiosk_state(kiosk->kiosk);
+    if (state != kiosk->said) {
+        say(kiosk, "visit %u: %s", kiosk_visits(kiosk->kiosk), state);
+        kiosk->said = state;
+    } else if (kiosk_staff(kiosk->kiosk) != kiosk->status_said) {
+        kiosk->status_said = !kiosk->status_said;
+        say(kiosk, "staff: the status view is %s", kiosk->status_said ? "up" : "gone");
+    }
+}
+
+bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size, enum log_level *level)
+{
+    if (kiosk->kiosk && !kiosk->has_line) {
+        note_visit(kiosk);
+    }
+    if (kiosk->has_line) {
+        snprintf(line, (size_t)size, "%s", kiosk->line);
+        kiosk->has_line = false;
+        *level = kiosk->level;
+        return true;
+    }
+    *level = LOG_LEVEL_NOTICE;
+    if (kiosk->kiosk && live_keep_log(kiosk->painting, line, size)) {
+        return true;
+    }
+    return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);
+}

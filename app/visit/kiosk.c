@@ -1,0 +1,380 @@
+#include <stdlib.h>
+#include <string.h>
+
+#include "kiosk_state.h"
+
+enum { STATUS_EVERY_US = 500000, FADE_MS = 16 };
+
+static const float CORNER = 0.12f; /* of the longer side: where the staff's taps count */
+
+static float radius_share(const struct kiosk *kiosk, int pixels)
+{
+    return kiosk->exhibit->access.dwell_radius * kiosk->hud.mm / (float)pixels;
+}
+
+/* Whatever follows from exhibit, scene and size. */
+void kiosk_layout(struct kiosk *kiosk)
+{
+    int width = kiosk->def.width, height = kiosk->def.height, longer = width > height ? width : height;
+    struct hud_def hud = {kiosk->exhibit, width, height, kiosk->scene};
+    hud_init(&kiosk->hud, &hud);
+    bool seated = kiosk->hud.seated;
+    access_init(&kiosk->access, &kiosk->exhibit->access, radius_share(kiosk, width), radius_share(kiosk, height));
+    kiosk->access.seated = seated;
+    staff_init(&kiosk->staff, &kiosk->exhibit->staff, CORNER * (float)longer / (float)width,
+               CORNER * (float)longer / (float)height);
+}
+
+struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us)
+{
+    struct kiosk *kiosk = calloc(1, sizeof *kiosk);
+    struct attract *attract = kiosk ? attract_create(def->exhibit, def->seed) : NULL;
+    if (!attract) {
+        exhibit_destroy(def->exhibit);
+        free(kiosk);
+        return NULL;
+    }
+    kiosk->def = *def;
+    kiosk->exhibit = def->exhibit;
+    kiosk->attract = attract;
+    kiosk->hours.open = true;
+    kiosk->sheet = def->stage.sheet(def->stage.context).number;
+    if (def->resume) {
+        kiosk->scene = def->scene;
+        kiosk->grounded = true;
+        visit_resume(&kiosk->visit, kiosk->exhibit, now_us);
+    } else {
+        visit_init(&kiosk->visit, kiosk->exhibit, now_us);
+    }
+    kiosk_layout(kiosk);
+    hud_reset(&kiosk->hud);
+    return kiosk;
+}
+
+void kiosk_destroy(struct kiosk *kiosk)
+{
+    if (!kiosk) {
+        return;
+    }
+    for (int i = 0; i < KIOSK_PIECES; i++) {
+        hud_image_finish(&kiosk->images[i]);
+    }
+    attract_destroy(kiosk->attract);
+    exhibit_destroy(kiosk->exhibit);
+    free(kiosk->trouble);
+    free(kiosk);
+}
+
+static void choose_again(struct kiosk *kiosk)
+{
+    for (int i = 0; kiosk->controls && i < kiosk->hud.count; i++) {
+        controls_set_tool(kiosk->controls, i, (enum exhibit_tool)kiosk->hud.panels[i].tool);
+        controls_set_ink(kiosk->controls, i, kiosk->hud.panels[i].ink);
+    }
+}
+
+void kiosk_controls(struct kiosk *kiosk, struct controls *controls)
+{
+    kiosk->controls = controls;
+    choose_again(kiosk);
+}
+
+bool kiosk_post(struct kiosk *kiosk, const struct action *action, uint64_t event_us)
+{
+    return kiosk->def.stage.post(kiosk->def.stage.context, action, event_us);
+}
+
+static struct kiosk_sheet sheet_of(const struct kiosk *kiosk)
+{
+    return kiosk->def.stage.sheet(kiosk->def.stage.context);
+}
+
+static void fresh_sheet(struct kiosk *kiosk)
+{
+    kiosk->sheet = sheet_of(kiosk).number + 1;
+    kiosk->grounded = kiosk->begun = kiosk->washing = false;
+    kiosk->def.stage.fresh(kiosk->def.stage.context);
+}
+
+static void next_scene(struct kiosk *kiosk)
+{
+    kiosk->scene = (kiosk->scene + 1) % kiosk->exhibit->scene_count;
+    kiosk->paintings = 0;
+    kiosk->def.stage.change(kiosk->def.stage.context, kiosk->exhibit->scenes[kiosk->scene].script);
+    kiosk_layout(kiosk);
+    if (kiosk->controls) {
+        const struct script *script = kiosk_scene(kiosk)->script;
+        controls_scene(kiosk->controls, script->ink_count, &script->coefficients);
+    }
+    choose_again(kiosk);
+}
+
+static void begin_wash(struct kiosk *kiosk)
+{
+    struct kiosk_sheet sheet = sheet_of(kiosk);
+    kiosk->washing = true;
+    wash_begin(&kiosk->wash, sheet.tick, kiosk->exhibit->visit.wash, kiosk->exhibit->sheet.rate,
+               (uint32_t)sheet.number);
+}
+
+static void welcome(struct kiosk *kiosk)
+{
+    hud_reset(&kiosk->hud);
+    access_rest(&kiosk->access);
+    kiosk_layout(kiosk);
+    if (kiosk->controls) {
+        controls_reset(kiosk->controls);
+    }
+    choose_again(kiosk);
+}
+
+static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t now_us)
+{
+    const struct kiosk_stage *stage = &kiosk->def.stage;
+    switch (order->kind) {
+    case ORDER_SHEET:
+        fresh_sheet(kiosk);
+        break;
+    case ORDER_ATTRACT:
+        kiosk->attracting = order->on;
+        kiosk->begun = false;
+        break;
+    case ORDER_PALETTE:
+        hud_show(&kiosk->hud, order->on, now_us);
+        break;
+    case ORDER_KEEP:
+        stage->keep(stage->context);
+        break;
+    case ORDER_WASH:
+        begin_wash(kiosk);
+        break;
+    case ORDER_POWER:
+        kiosk->dark = !order->on;
+        stage->power(stage->context, order->on);
+        break;
+    case ORDER_STATUS:
+        kiosk->hud.status = order->on;
+        kiosk->lines_us = 0;
+        break;
+    case ORDER_SCENE:
+        next_scene(kiosk);
+        break;
+    case ORDER_WELCOME:
+        welcome(kiosk);
+        break;
+    case ORDER_KINDS:
+        break;
+    }
+}
+
+void kiosk_obey(struct kiosk *kiosk, uint64_t now_us)
+{
+    struct visit_order order;
+    while (visit_order(&kiosk->visit, &order)) {
+        obey(kiosk, &order, now_us);
+    }
+}
+
+/* What a scene has on every fresh sheet: a guide, a mask. */
+static void lay_ground(struct kiosk *kiosk)
+{
+    const struct exhibit_scene *scene = &kiosk->exhibit->scenes[kiosk->scene];
+    for (int i = 0; !kiosk->grounded && i < scene->ground_count; i++) {
+        kiosk_post(kiosk, &scene->ground[i], 0);
+    }
+    kiosk->grounded = true;
+}
+
+static void run_wash(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
+{
+    struct action action;
+    while (wash_action(&kiosk->wash, tick, &action)) {
+        kiosk_post(kiosk, &action, 0);
+    }
+    if (!wash_over(&kiosk->wash, tick)) {
+        return;
+    }
+    kiosk->washing = false;
+    if (!kiosk->attracting) {
+        visit_feel(&kiosk->visit, VISIT_WASHED, now_us);
+        kiosk_obey(kiosk, now_us);
+        return;
+    }
+    kiosk->paintings++;
+    if (kiosk->exhibit->visit.next_scene > 0 && kiosk->paintings >= kiosk->exhibit->visit.next_scene) {
+        next_scene(kiosk);
+    }
+    fresh_sheet(kiosk);
+}
+
+static void run_attract(struct kiosk *kiosk, int64_t tick)
+{
+    struct action action;
+    if (!kiosk->begun) {
+        attract_begin(kiosk->attract, kiosk->scene, (float)kiosk->def.width / (float)kiosk->def.height);
+        kiosk->begun = true;
+    }
+    while (attract_action(kiosk->attract, tick, &action)) {
+        kiosk_post(kiosk, &action, 0);
+    }
+    if (attract_over(kiosk->attract, tick)) {
+        begin_wash(kiosk);
+    }
+}
+
+/* The sheet does something by itself. Not before the studio has the sheet that is meant. */
+static void run_sheet(struct kiosk *kiosk, uint64_t now_us)
+{
+    struct kiosk_sheet sheet = sheet_of(kiosk);
+    for (int i = 0; i < kiosk->hud.count; i++) {
+        kiosk->hud.panels[i].can_undo = sheet.can_undo >> (i + 1) & 1;
+        kiosk->hud.panels[i].can_redo = sheet.can_redo >> (i + 1) & 1;
+    }
+    if (sheet.number < kiosk->sheet) {
+        return;
+    }
+    lay_ground(kiosk);
+    if (kiosk->washing) {
+        run_wash(kiosk, sheet.tick, now_us);
+    } else if (kiosk->attracting) {
+        run_attract(kiosk, sheet.tick);
+    }
+}
+
+/* Once a second of the wall's clock. */
+static void keep_hours(struct kiosk *kiosk, uint64_t now_us, time_t time)
+{
+    if (time == kiosk->time) {
+        return;
+    }
+    kiosk->time = time;
+    kiosk->hours = schedule_at(kiosk->exhibit, time, kiosk->def.built);
+    visit_feel(&kiosk->visit, kiosk->hours.open || kiosk->def.open ? VISIT_OPEN : VISIT_CLOSE, now_us);
+}
+
+static void tell_status(struct kiosk *kiosk, uint64_t now_us)
+{
+    const struct kiosk_stage *stage = &kiosk->def.stage;
+    if (!kiosk->hud.status || (kiosk->lines_us > 0 && now_us < kiosk->lines_us + STATUS_EVERY_US)) {
+        return;
+    }
+    kiosk->lines_us = now_us;
+    int length = snprintf(kiosk->lines, sizeof kiosk->lines, "exhibit\t%s\nstate\t%s, %u visits\nhours\t%s\n",
+                          kiosk->exhibit->path ? kiosk->exhibit->path : "", visit_state_name(kiosk->visit.state),
+                          kiosk->visit.visits, kiosk->hours.text);
+    if (kiosk->trouble) {
+        length += snprintf(kiosk->lines + length, sizeof kiosk->lines - (size_t)length, "not taken up\t%.900s\n",
+                           kiosk->trouble);
+    }
+    if (stage->status) {
+        stage->status(stage->context, kiosk->lines + length, sizeof kiosk->lines - (size_t)length);
+    }
+}
+
+void kiosk_run(struct kiosk *kiosk, uint64_t now_us, time_t time)
+{
+    bool held = kiosk->controls && controls_are_held(kiosk->controls);
+    keep_hours(kiosk, now_us, time);
+    if (staff_called(&kiosk->staff, now_us)) {
+        visit_feel(&kiosk->visit, VISIT_STAFF, now_us);
+    }
+    if (held) {
+        visit_feel(&kiosk->visit, VISIT_HOLD, now_us);
+    }
+    kiosk_busy(kiosk, now_us);
+    kiosk_run_access(kiosk, now_us);
+    visit_run(&kiosk->visit, now_us);
+    kiosk_obey(kiosk, now_us);
+    run_sheet(kiosk, now_us);
+    tell_status(kiosk, now_us);
+}
+
+static int sooner(int a, int b)
+{
+    return b >= 0 && b < a ? b : a;
+}
+
+int kiosk_timeout_ms(const struct kiosk *kiosk, uint64_t now_us, int most)
+{
+    int ms = sooner(most, visit_timeout_ms(&kiosk->visit, now_us)), fade = hud_timeout_ms(&kiosk->hud, now_us);
+    ms = sooner(ms, fade == 0 || access_moves(&kiosk->access) ? FADE_MS : fade);
+    ms = sooner(ms, access_timeout_ms(&kiosk->access, now_us));
+    return sooner(ms, staff_timeout_ms(&kiosk->staff, now_us));
+}
+
+struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint64_t now_us)
+{
+    struct attract *attract = attract_create(exhibit, kiosk->def.seed + now_us);
+    struct exhibit *old = kiosk->exhibit;
+    const char *id = kiosk_scene(kiosk)->id;
+    if (!attract) {
+        return exhibit; /* memory is short: it stays as it is */
+    }
+    attract_destroy(kiosk->attract);
+    kiosk->attract = attract;
+    kiosk->exhibit = exhibit;
+    kiosk->begun = false;
+    kiosk->scene = 0;
+    for (int i = 0; i < exhibit->scene_count; i++) {
+        kiosk->scene = strcmp(exhibit->scenes[i].id, id) == 0 ? i : kiosk->scene;
+    }
+    kiosk->time = 0;
+    kiosk->controls = NULL;
+    kiosk_layout(kiosk);
+    visit_reload(&kiosk->visit, exhibit, now_us);
+    kiosk->def.stage.change(kiosk->def.stage.context, kiosk_scene(kiosk)->script);
+    kiosk_obey(kiosk, now_us);
+    if (kiosk->attracting) { /* what paints itself begins anew; what a visitor has painted stays */
+        fresh_sheet(kiosk);
+    }
+    return old;
+}
+
+void kiosk_trouble(struct kiosk *kiosk, const char *report)
+{
+    free(kiosk->trouble);
+    kiosk->trouble = report ? strdup(report) : NULL;
+    kiosk->lines_us = 0;
+}
+
+void kiosk_resize(struct kiosk *kiosk, int width, int height)
+{
+    kiosk->def.width = width;
+    kiosk->def.height = height;
+    kiosk_layout(kiosk);
+}
+
+const struct exhibit *kiosk_shows(const struct kiosk *kiosk)
+{
+    return kiosk->exhibit;
+}
+
+const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk)
+{
+    return &kiosk->exhibit->scenes[kiosk->scene];
+}
+
+bool kiosk_staff(const struct kiosk *kiosk)
+{
+    return kiosk->hud.status;
+}
+
+bool kiosk_leaves(const struct kiosk *kiosk)
+{
+    return kiosk->leaves;
+}
+
+const char *kiosk_state(const struct kiosk *kiosk)
+{
+    return visit_state_name(kiosk->visit.state);
+}
+
+bool kiosk_is_visited(const struct kiosk *kiosk)
+{
+    return kiosk->visit.painted && kiosk->visit.state != VISIT_ATTRACT && kiosk->visit.state != VISIT_CLOSED;
+}
+
+uint32_t kiosk_visits(const struct kiosk *kiosk)
+{
+    return kiosk->visit.visits;
+}

@@ -1,0 +1,74 @@
+/* The inside of the kiosk. Private to kiosk*.c. */
+#ifndef FROND_KIOSK_STATE_H
+#define FROND_KIOSK_STATE_H
+
+#include "access.h"
+#include "attract.h"
+#include "hud.h"
+#include "kiosk.h"
+#include "kiosk_look.h"
+#include "schedule.h"
+#include "staff.h"
+#include "swallow.h"
+#include "visit.h"
+#include "wash.h"
+
+enum { KIOSK_AXES = 32, KIOSK_HANDS = 64 };
+
+struct kiosk {
+    struct kiosk_def def;
+    struct exhibit *exhibit;
+    struct controls *controls; /* the caller's */
+    int scene;
+    struct visit visit;
+    struct hud hud;
+    struct staff staff;
+    struct access access;
+    struct attract *attract;
+    struct wash wash;
+    struct swallow swallow;
+
+    int sheet;       /* number of the sheet that is meant; what is posted is for it */
+    bool grounded;   /* its ground has been laid */
+    bool attracting; /* it paints itself... */
+    bool begun;      /* ...and has been told what */
+    bool washing;    /* for attract's next painting, or for the visit */
+    int paintings;   /* of attract, in this scene */
+    bool leaves;
+    bool dark;
+    time_t time; /* of the last run */
+    struct schedule_answer hours;
+    struct kiosk_hand { /* a finger on the sheet */
+        bool used;
+        int id, seat;
+    } hands[KIOSK_HANDS];
+    struct kiosk_axis { /* where an axis was when it last counted as input: drift is no visitor */
+        uint32_t device, control;
+        int index;
+        float value;
+        bool used;
+    } axes[KIOSK_AXES];
+    char *trouble;    /* owned; NULL: none */
+    char lines[4096]; /* of the staff's view */
+    uint64_t lines_us;
+    struct kiosk_pieces pieces;
+    struct hud_image images[KIOSK_PIECES];
+};
+
+/* kiosk_feel.c */
+void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t now_us);
+void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us);
+/* Whether an event is something that somebody did. */
+bool kiosk_is_input(struct kiosk *kiosk, const struct event *event);
+
+/* Tells the palettes which hands are busy. */
+void kiosk_busy(struct kiosk *kiosk, uint64_t now_us);
+
+/* kiosk.c */
+void kiosk_layout(struct kiosk *kiosk);
+/* An action of a visitor. */
+bool kiosk_post(struct kiosk *kiosk, const struct action *action, uint64_t event_us);
+/* Does what the visit orders. */
+void kiosk_obey(struct kiosk *kiosk, uint64_t now_us);
+
+#endif

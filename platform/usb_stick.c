@@ -1,0 +1,139 @@
+#include "usb_stick.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { TEXT_MOST = 1 << 20, WHAT_MOST = 64 };
+
+struct usb_stick {
+    int fd;
+    char *folder;
+    char *text;           /* the list, TEXT_MOST */
+    char what[WHAT_MOST]; /* number of the mount and of its device; "": none */
+    bool writable;
+};
+
+struct usb_stick *usb_stick_create(const char *folder, const char *mounts)
+{
+    struct usb_stick *stick = calloc(1, sizeof *stick);
+    if (!stick) {
+        return NULL;
+    }
+    stick->fd = open(mounts ? mounts : "/proc/self/mountinfo", O_RDONLY | O_CLOEXEC);
+    stick->folder = strdup(folder);
+    stick->text = malloc(TEXT_MOST);
+    if (stick->fd < 0 || !stick->folder || !stick->text) {
+        usb_stick_destroy(stick);
+        return NULL;
+    }
+    return stick;
+}
+
+void usb_stick_destroy(struct usb_stick *stick)
+{
+    if (!stick) {
+        return;
+    }
+    if (stick->fd >= 0) {
+        close(stick->fd);
+    }
+    free(stick->folder);
+    free(stick->text);
+    free(stick);
+}
+
+int usb_stick_fd(const struct usb_stick *stick)
+{
+    return stick->fd;
+}
+
+bool usb_stick_writable(const struct usb_stick *stick)
+{
+    return stick->what[0] && stick->writable;
+}
+
+/* Space, tab, line feed and backslash stand as \ooo: proc(5). */
+static void unescape(char *path)
+{
+    char *to = path;
+    for (const char *from = path; *from; to++) {
+        bool escaped = from[0] == '\\' && from[1] >= '0' && from[1] <= '3' && from[2] >= '0' && from[2] <= '7' &&
+                       from[3] >= '0' && from[3] <= '7';
+        unsigned code = (unsigned char)*from;
+        if (escaped) {
+            code = (unsigned)(from[1] - '0') * 64 + (unsigned)(from[2] - '0') * 8 + (unsigned)(from[3] - '0');
+        }
+        *(unsigned char *)to = (unsigned char)code;
+        from += escaped ? 4 : 1;
+    }
+    *to = '\0';
+}
+
+static bool has_option(const char *options, const char *option)
+{
+    size_t length = strlen(option);
+    for (const char *at = options; at; at = strchr(at, ',')) {
+        at += *at == ',';
+        if (strncmp(at, option, length) == 0 && (at[length] == ',' || at[length] == '\0')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* "36 35 98:0 /mnt1 /mnt2 rw,noatime master:1 - ext3 /dev/root rw,errors=continue": number, parent, device, its part,
+ * where, options, fields until "-", kind, source, options of the whole. The last mount of a place lies on top. */
+static void read_line(struct usb_stick *stick, char *line, char what[WHAT_MOST], bool *writable)
+{
+    enum { NUMBER, DEVICE = 2, WHERE = 4, OPTIONS = 5, FIELDS = 6 };
+    char *fields[FIELDS], *rest = line;
+    for (int i = 0; i < FIELDS; i++) {
+        fields[i] = strsep(&rest, " ");
+        if (!fields[i]) {
+            return;
+        }
+    }
+    unescape(fields[WHERE]);
+    if (strcmp(fields[WHERE], stick->folder) == 0) {
+        const char *whole = rest ? strrchr(rest, ' ') : NULL;
+        snprintf(what, WHAT_MOST, "%s %s", fields[NUMBER], fields[DEVICE]);
+        *writable = has_option(fields[OPTIONS], "rw") && !(whole && has_option(whole + 1, "ro"));
+    }
+}
+
+/* False when the list cannot be read. */
+static bool read_list(struct usb_stick *stick)
+{
+    size_t size = 0;
+    ssize_t count;
+    if (lseek(stick->fd, 0, SEEK_SET) != 0) {
+        return false;
+    }
+    while (size < TEXT_MOST - 1 && (count = read(stick->fd, stick->text + size, TEXT_MOST - 1 - size)) > 0) {
+        size += (size_t)count;
+    }
+    stick->text[size] = '\0';
+    return true;
+}
+
+enum usb_stick_news usb_stick_look(struct usb_stick *stick)
+{
+    char what[WHAT_MOST] = "";
+    bool writable = false;
+    if (!read_list(stick)) {
+        return USB_STICK_SAME;
+    }
+    char *rest = stick->text;
+    for (char *line; (line = strsep(&rest, "\n"));) {
+        read_line(stick, line, what, &writable);
+    }
+    stick->writable = writable;
+    if (strcmp(what, stick->what) == 0) {
+        return USB_STICK_SAME;
+    }
+    memcpy(stick->what, what, sizeof what);
+    return what[0] ? USB_STICK_CAME : USB_STICK_GONE;
+}

@@ -1,0 +1,110 @@
+#!/bin/sh
+# `frond run` with an exhibit on a display in memory: it paints by itself, takes up what a curator writes while it runs,
+# and keeps what it has when that is wrong. kiosk.sh FROND EXHIBITS
+set -u
+frond=$(realpath "$1") || exit 1
+exhibits=$(realpath "$2") || exit 1
+work=$(mktemp -d) || exit 1
+running=
+trap '[ -z "$running" ] || kill "$running" 2>/dev/null; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+fail() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$1"
+    sed 's/^/  stderr: /' err.txt
+}
+
+# Waits until stderr says so, for at most so many tenths of a second.
+wait_for() {
+    left=$2
+    until grep -q -- "$1" err.txt; do
+        left=$((left - 1))
+        [ "$left" -gt 0 ] || {
+            fail "it never said: $1"
+            return 1
+        }
+        sleep 0.1
+    done
+}
+
+# Every exhibit that comes with Frond; open, whatever the day.
+cp -r "$exhibits" exhibits
+for exhibit in exhibits/*.yaml; do
+    awk '/^[a-z]/ { out = /^schedule:/ } !out' "$exhibit" >open.yaml && mv open.yaml "$exhibit"
+    name=$(basename "$exhibit" .yaml)
+    timeout 60 "$frond" run "$exhibit" --display headless --mode 320x200 --rotate 0 --engine cpu --full --open --frames 12 \
+        --state "$work/state" --shot "$name.png" >out.txt 2>err.txt </dev/null || fail "run $name: exit status $?"
+    [ -s "$name.png" ] || fail "run $name: no picture"
+    grep -q "12 frames presented" err.txt || fail "run $name: not 12 frames"
+done
+[ -z "$(find "$work/state" -type f 2>/dev/null)" ] || fail "attract has written something"
+
+# Hot reload.
+printf 'exhibit: 1\nvisit: {idle: 60}\n' >own.yaml
+timeout 120 "$frond" run own.yaml --display headless --mode 320x200 --engine cpu --state "$work/state" \
+    >out.txt 2>err.txt </dev/null &
+running=$!
+wait_for "engine cpu" 100
+sleep 1
+printf 'exhibit: 1\nvisit: {idle: 30}\n' >own.yaml
+wait_for "own.yaml: taken up [0-9]* ms after it was changed" 50
+ms=$(sed -n 's/.*taken up \([0-9]*\) ms after.*/\1/p' err.txt | head -1)
+[ "${ms:-9999}" -lt 4000 ] || fail "taken up only after $ms ms"
+printf 'reload: %s ms\n' "${ms:-?}"
+printf 'exhibit: 1\nvisti: {idle: 30}\n' >own.yaml
+wait_for "the exhibit stays as it was" 50
+wait_for "own.yaml:2:1: visti: unknown key; did you mean visit?" 50
+kill -0 "$running" 2>/dev/null || fail "a wrong file has ended it"
+printf 'exhibit: 1\nvisit: {idle: 40}\n' >own.yaml.new && mv own.yaml.new own.yaml # as editors do
+left=50
+until [ "$(grep -c "taken up" err.txt)" -ge 2 ]; do
+    left=$((left - 1))
+    [ "$left" -gt 0 ] || {
+        fail "the mended file is not taken up"
+        break
+    }
+    sleep 0.1
+done
+kill -TERM "$running"
+wait "$running" || fail "it ended with status $?"
+running=
+
+# A service never ends by its exhibit: one that is wrong or not there is waited for. Its status stands in files while it
+# runs, and its log has levels where it goes to the journal.
+rm -f own.yaml
+mkdir -p status
+: >err.txt
+JOURNAL_STREAM=$(stat -c %d:%i err.txt) RUNTIME_DIRECTORY=$work/status timeout 120 "$frond" run own.yaml --standby \
+    --display headless --mode 320x200 --engine cpu --state "$work/state" >out.txt 2>>err.txt </dev/null &
+running=$!
+wait_for "^<4>the exhibit cannot be shown" 100
+wait_for "^<4>own.yaml: cannot be read: No such file" 50
+left=100
+until grep -q '"exhibit_wrong":true' status/status.json 2>/dev/null; do
+    left=$((left - 1))
+    [ "$left" -gt 0 ] || {
+        fail "no status says that the exhibit is wrong"
+        break
+    }
+    sleep 0.1
+done
+printf 'exhibit: 1\nscenes: [{id: dawn}]\n' >own.yaml
+wait_for "^<6>own.yaml: taken up" 50
+left=100
+until grep -q '"scene":"dawn"' status/status.json && grep -q '^frond_exhibit_wrong 0' status/frond.prom; do
+    left=$((left - 1))
+    [ "$left" -gt 0 ] || {
+        fail "no status says that it is mended"
+        break
+    }
+    sleep 0.1
+done
+[ "$(stat -c %a status/status.json status/frond.prom | sort -u)" = 644 ] || fail "not everybody may read the status"
+kill -TERM "$running"
+wait "$running" || fail "it ended with status $?"
+running=
+[ -z "$(ls status)" ] || fail "what has ended still has a status"
+
+[ "$failures" -eq 0 ]

@@ -1,0 +1,276 @@
+/* A stick that comes and goes, in made-up lists of mounts and, where that is permitted, in the kernel's; and the
+ * gallery copied to it. */
+#define _XOPEN_SOURCE 700 /* nftw */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <dirent.h>
+#include <ftw.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "disk_case.h"
+#include "gallery_export.h"
+#include "usb_stick.h"
+
+enum { PATH_SIZE = 200 };
+
+static char root[] = "/tmp/frond-stick-XXXXXX";
+static bool disks; /* can be mounted */
+
+static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
+{
+    (void)status;
+    (void)type;
+    (void)at;
+    return remove(path);
+}
+
+static int enter_folder(void **state)
+{
+    (void)state;
+    strcpy(root, "/tmp/frond-stick-XXXXXX");
+    return mkdtemp(root) && chdir(root) == 0 && mkdir("stick", 0777) == 0 && mkdir("g", 0777) == 0 ? 0 : -1;
+}
+
+static int leave_folder(void **state)
+{
+    (void)state;
+    disk_case_unmount("stick");
+    return chdir("/") == 0 ? nftw(root, remove_one, 16, FTW_DEPTH | FTW_PHYS) : -1;
+}
+
+static void put(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+#define OTHERS                                                                                                         \
+    "22 1 8:1 / / rw,relatime shared:1 - ext4 /dev/sda1 rw\n"                                                          \
+    "23 22 0:21 / /run rw,nosuid shared:2 - tmpfs tmpfs rw,size=10%\n"
+
+static void lists_of_mounts(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *list;
+        enum usb_stick_news news;
+        bool writable;
+    } cases[] = {
+        {OTHERS, USB_STICK_SAME, false},
+        {OTHERS "90 23 8:17 / /run/a\\040stick rw,nosuid - vfat /dev/sdb1 rw,uid=990\n", USB_STICK_CAME, true},
+        {OTHERS "90 23 8:17 / /run/a\\040stick rw,nosuid - vfat /dev/sdb1 rw,uid=990\n", USB_STICK_SAME, true},
+        {OTHERS "91 23 8:33 / /run/a\\040stick ro,nosuid shared:5 master:6 - vfat /dev/sdc1 rw\n", USB_STICK_CAME,
+         false},
+        {OTHERS "91 23 8:33 / /run/a\\040stick rw,nosuid shared:5 master:6 - vfat /dev/sdc1 ro,errors=remount-ro\n",
+         USB_STICK_SAME, false},
+        {OTHERS "92 23 8:33 / /run/a\\040stick/b rw - vfat /dev/sdc1 rw\n", USB_STICK_GONE, false},
+        {OTHERS "92 23 8:33 / /run/a rw - vfat /dev/sdc1 rw\nnonsense\n93 23 8:33 /\n\n", USB_STICK_SAME, false},
+        {"94 23 8:33 / /run/a\\040stick rw - vfat /dev/sdc1 rw", USB_STICK_CAME, true},
+        {"", USB_STICK_GONE, false},
+    };
+    put("mounts", "");
+    struct usb_stick *stick = usb_stick_create("/run/a stick", "mounts");
+    assert_non_null(stick);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        put("mounts", cases[i].list);
+        assert_int_equal(usb_stick_look(stick), cases[i].news);
+        assert_int_equal(usb_stick_writable(stick), cases[i].writable);
+    }
+    usb_stick_destroy(stick);
+    usb_stick_destroy(NULL);
+    assert_null(usb_stick_create("/run/stick", "no-such"));
+}
+
+static bool woken(const struct usb_stick *stick)
+{
+    struct pollfd descriptor = {.fd = usb_stick_fd(stick), .events = POLLPRI};
+    return poll(&descriptor, 1, 0) == 1 && (descriptor.revents & POLLPRI);
+}
+
+static void the_kernels_mounts(void **state)
+{
+    (void)state;
+    char folder[PATH_SIZE];
+    if (!disks) {
+        skip();
+    }
+    snprintf(folder, sizeof folder, "%s/stick", root);
+    struct usb_stick *stick = usb_stick_create(folder, NULL);
+    assert_non_null(stick);
+    assert_int_equal(usb_stick_look(stick), USB_STICK_SAME);
+    assert_false(woken(stick));
+    assert_true(disk_case_mount("stick", 100));
+    assert_true(woken(stick));
+    assert_int_equal(usb_stick_look(stick), USB_STICK_CAME);
+    assert_true(usb_stick_writable(stick));
+    assert_false(woken(stick));
+    struct usb_stick *late = usb_stick_create(folder, NULL);
+    assert_int_equal(usb_stick_look(late), USB_STICK_CAME);
+    usb_stick_destroy(late);
+    disk_case_unmount("stick");
+    assert_true(woken(stick));
+    assert_int_equal(usb_stick_look(stick), USB_STICK_GONE);
+    usb_stick_destroy(stick);
+}
+
+static void put_gallery(int count, int size)
+{
+    char path[PATH_SIZE], *bytes = malloc((size_t)size + 1);
+    assert_non_null(bytes);
+    for (int i = 1; i <= count; i++) {
+        memset(bytes, 'a' + i % 26, (size_t)size);
+        bytes[size] = '\0';
+        snprintf(path, sizeof path, "g/frond-%06d.%s", i, i % 3 ? "png" : "journal");
+        put(path, bytes);
+    }
+    free(bytes);
+}
+
+/* Files in the folder, all of the same size. */
+static int whole_files(const char *folder, int size)
+{
+    struct dirent **all;
+    struct stat status;
+    char path[2 * PATH_SIZE];
+    int count = scandir(folder, &all, NULL, NULL), files = 0;
+    for (int i = 0; i < count; i++) {
+        snprintf(path, sizeof path, "%s/%.180s", folder, all[i]->d_name);
+        if (all[i]->d_name[0] != '.' || strlen(all[i]->d_name) > 2) {
+            assert_int_equal(stat(path, &status), 0);
+            assert_int_equal(status.st_size, size);
+            files++;
+        }
+        free(all[i]);
+    }
+    free(all);
+    return files;
+}
+
+static void run_export(char line[EXPORT_LINE])
+{
+    struct gallery_export *export = gallery_export_start("g", "stick", EXPORT_FOLDER);
+    assert_non_null(export);
+    for (int i = 0; !gallery_export_ended(export, line); i++) {
+        assert_true(i < 10000);
+        usleep(1000);
+    }
+    char again[EXPORT_LINE];
+    assert_false(gallery_export_ended(export, again));
+    gallery_export_destroy(export);
+}
+
+static void what_is_new_is_copied(void **state)
+{
+    (void)state;
+    char line[EXPORT_LINE], text[32] = "";
+    put_gallery(5, 1000);
+    put("g/notes.txt", "not the gallery's");
+    assert_int_equal(symlink("/etc/hostname", "g/frond-000009.png"), 0);
+    assert_null(gallery_export_start("g", "stick", EXPORT_FOLDER)); /* a stick that staff have not made ready */
+    mkdir("stick/" EXPORT_FOLDER, 0777);
+    run_export(line);
+    assert_string_equal(line, "stick: 5 files were copied (0.0 MB), 0 were there");
+    assert_int_equal(whole_files("stick/" EXPORT_FOLDER, 1000), 5);
+    run_export(line);
+    assert_string_equal(line, "stick: 0 files were copied (0.0 MB), 5 were there");
+    put_gallery(6, 1000);
+    unlink("stick/" EXPORT_FOLDER "/frond-000002.png");
+    put("stick/" EXPORT_FOLDER "/frond-000003.journal", "another's");
+    put("stick/" EXPORT_FOLDER "/.frond-copy.part", "of a stick that was pulled");
+    run_export(line);
+    assert_string_equal(line, "stick: 2 files were copied (0.0 MB), 4 were there");
+    assert_int_equal(access("stick/" EXPORT_FOLDER "/.frond-copy.part", F_OK), -1);
+    FILE *file = fopen("stick/" EXPORT_FOLDER "/frond-000003.journal", "r");
+    assert_non_null(fgets(text, sizeof text, file));
+    fclose(file);
+    assert_string_equal(text, "another's"); /* nothing is replaced */
+}
+
+static void only_where_staff_want_it(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"", ".", "..", "a/b", "/etc", "link", "file", "no-such"};
+    mkdir("elsewhere", 0777);
+    assert_int_equal(symlink("../elsewhere", "stick/link"), 0);
+    put("stick/file", "no folder");
+    mkdir("stick/a", 0777);
+    mkdir("stick/a/b", 0777);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        assert_null(gallery_export_start("g", "stick", names[i]));
+    }
+    assert_null(gallery_export_start("g", "no-stick", EXPORT_FOLDER));
+    assert_int_equal(symlink("stick", "mounted"), 0);
+    assert_null(gallery_export_start("g", "mounted", "a"));
+    gallery_export_destroy(NULL);
+    if (disks && mkdir("stick/disk", 0777) == 0 && disk_case_mount("stick/disk", 100)) {
+        assert_null(gallery_export_start("g", "stick", "disk")); /* another file system */
+        disk_case_unmount("stick/disk");
+    }
+}
+
+static void a_stick_that_is_full(void **state)
+{
+    (void)state;
+    char line[EXPORT_LINE];
+    if (!disks || !disk_case_mount("stick", 400)) {
+        skip();
+    }
+    put_gallery(20, 50000);
+    mkdir("stick/" EXPORT_FOLDER, 0777);
+    run_export(line);
+    int copied = 0;
+    assert_int_equal(sscanf(line, "stick: %d files", &copied), 1);
+    assert_in_range(copied, 4, 8);
+    assert_non_null(strstr(line, ".png: the disk is full") ? line : strstr(line, ".journal: the disk is full"));
+    assert_int_equal(whole_files("stick/" EXPORT_FOLDER, 50000), copied); /* and no half of one */
+}
+
+static void a_gallery_that_is_not_there(void **state)
+{
+    (void)state;
+    char line[EXPORT_LINE];
+    mkdir("stick/" EXPORT_FOLDER, 0777);
+    assert_int_equal(rmdir("g"), 0);
+    run_export(line);
+    assert_string_equal(line,
+                        "stick: 0 files were copied (0.0 MB), 0 were there; then g: there is no such file or folder");
+}
+
+static void broken_off(void **state)
+{
+    (void)state;
+    put_gallery(12, 3000000);
+    mkdir("stick/" EXPORT_FOLDER, 0777);
+    struct gallery_export *export = gallery_export_start("g", "stick", EXPORT_FOLDER);
+    assert_non_null(export);
+    usleep(3000);
+    gallery_export_destroy(export);
+    assert_in_range(whole_files("stick/" EXPORT_FOLDER, 3000000), 0, 12);
+}
+
+int main(void)
+{
+#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
+    const struct CMUnitTest tests[] = {
+        IN_FOLDER(lists_of_mounts),
+        IN_FOLDER(the_kernels_mounts),
+        IN_FOLDER(what_is_new_is_copied),
+        IN_FOLDER(only_where_staff_want_it),
+        IN_FOLDER(a_stick_that_is_full),
+        IN_FOLDER(a_gallery_that_is_not_there),
+        IN_FOLDER(broken_off),
+    };
+    disks = disk_case_isolate();
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
