@@ -110,42 +110,78 @@ static int open_folder(const char *path, const char **name)
     return fd;
 }
 
+static int open_at(int folder, const char *path, int flags, mode_t mode)
+{
+    return openat(folder, path, flags, mode);
+}
+
+const struct file_calls file_calls_system = {open_at, pwrite, fdatasync, fsync, renameat, unlinkat};
+
+bool file_pwrite_whole(const struct file_calls *calls, int fd, const void *data, size_t size, off_t at)
+{
+    const char *from = data;
+    while (size > 0) {
+        ssize_t written = calls->pwrite(fd, from, size, at);
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written <= 0) {
+            errno = written == 0 ? EIO : errno;
+            return false;
+        }
+        from += written;
+        at += written;
+        size -= (size_t)written;
+    }
+    return true;
+}
+
 /* Some file systems (vfat over FUSE, for one) cannot sync a folder and say EINVAL: there is nothing more to do there.
  */
-static bool sync_folder(int folder)
+static bool sync_folder(const struct file_calls *calls, int folder)
 {
-    return fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP;
+    return calls->fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
+/* Into a file that is made there; the code of errno. */
+static int write_new(const struct file_calls *calls, int folder, const char *name, const void *data, size_t size)
+{
+    int fd = calls->openat(folder, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (fd < 0) {
+        return errno;
+    }
+    int code = file_pwrite_whole(calls, fd, data, size, 0) && calls->fsync(fd) == 0 ? 0 : errno;
+    if (close(fd) != 0 && code == 0) {
+        code = errno;
+    }
+    return code;
+}
+
+int file_write_atomic_by(const struct file_calls *calls, const char *path, const void *data, size_t size)
+{
+    const char *name;
+    uint64_t random = 0;
+    char temporary[TEMPORARY_NAME];
+    int folder = open_folder(path, &name);
+    if (folder < 0) {
+        return errno;
+    }
+    int code = getrandom(&random, sizeof random, 0) == (ssize_t)sizeof random ? 0 : errno;
+    snprintf(temporary, sizeof temporary, ".frond-%016" PRIx64 ".part", random);
+    code = code ? code : write_new(calls, folder, temporary, data, size);
+    bool named = code == 0 && calls->renameat(folder, temporary, folder, name) == 0;
+    if (named) {
+        code = sync_folder(calls, folder) ? 0 : errno;
+    } else {
+        code = code ? code : errno;
+        calls->unlinkat(folder, temporary, 0);
+    }
+    close(folder);
+    return code;
 }
 
 bool file_write_atomic(const char *path, const void *data, size_t size, struct file_error *error)
 {
-    const char *name;
-    int folder = open_folder(path, &name);
-    if (folder < 0) {
-        return file_fail_code(error, path, errno);
-    }
-    uint64_t random = 0;
-    char temporary[TEMPORARY_NAME];
-    int fd = -1;
-    if (getrandom(&random, sizeof random, 0) == (ssize_t)sizeof random) {
-        snprintf(temporary, sizeof temporary, ".frond-%016" PRIx64 ".part", random);
-        fd = openat(folder, temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    }
-    int code = errno;
-    if (fd >= 0) {
-        bool written = file_write_whole(fd, data, size) && fsync(fd) == 0;
-        code = errno;
-        if (close(fd) != 0 && written) {
-            written = false;
-            code = errno;
-        }
-        if (written && renameat(folder, temporary, folder, name) == 0) {
-            code = sync_folder(folder) ? 0 : errno;
-        } else {
-            code = written ? errno : code;
-            unlinkat(folder, temporary, 0);
-        }
-    }
-    close(folder);
+    int code = file_write_atomic_by(&file_calls_system, path, data, size);
     return code == 0 || file_fail_code(error, path, code);
 }

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <sys/types.h>
 
 enum {
     FILE_ERROR_TEXT = 512, /* bytes, with the final NUL */
@@ -30,5 +31,22 @@ bool file_write_whole(int fd, const void *data, size_t size);
  * is left behind. The mode is 0666 less the umask. Costs two waits for the disk; callers with a frame to show use
  * another thread. */
 bool file_write_atomic(const char *path, const void *data, size_t size, struct file_error *error);
+
+/* What writing asks of the system, so that a test can have a disk that fails. Each as the call of its name. */
+struct file_calls {
+    int (*openat)(int folder, const char *path, int flags, mode_t mode);
+    ssize_t (*pwrite)(int fd, const void *data, size_t size, off_t at);
+    int (*fdatasync)(int fd);
+    int (*fsync)(int fd);
+    int (*renameat)(int from_folder, const char *from, int to_folder, const char *to);
+    int (*unlinkat)(int folder, const char *path, int flags);
+};
+
+extern const struct file_calls file_calls_system;
+
+/* Writes all of it at an offset; false with errno. */
+bool file_pwrite_whole(const struct file_calls *calls, int fd, const void *data, size_t size, off_t at);
+/* file_write_atomic through these calls. The code of errno; 0: done. */
+int file_write_atomic_by(const struct file_calls *calls, const char *path, const void *data, size_t size);
 
 #endif

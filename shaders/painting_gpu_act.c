@@ -172,8 +172,7 @@ static void lay(struct painting_gpu *gpu, const struct action *action)
         return;
     }
     bool brings_liquid = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_SOLVENT ||
-                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET ||
-                         action->verb == ACTION_RINSE;
+                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET || action->verb == ACTION_RINSE;
     if (brings_liquid) {
         gpu_steps_mark(gpu, deposit->cells, BIT_WET);
     }

@@ -204,8 +204,8 @@ static struct rectangle rinse(struct ground *ground, const struct action *action
     struct rectangle changed = {ground->width, 0, ground->height, 0};
     struct rinse water;
     rinse_begin(&water, &ground->def, action);
-    for (int y = water.cells.y0; y < water.cells.y1; y++) {
-        for (int x = water.cells.x0; x < water.cells.x1; x++) {
+    for (int y = water.over.y0; y < water.over.y1; y++) {
+        for (int x = water.over.x0; x < water.over.x1; x++) {
             if (rinse_is_over(&water, x, y) && ground_fresh_cell(ground, x, y)) {
                 changed.x0 = x < changed.x0 ? x : changed.x0;
                 changed.x1 = x >= changed.x1 ? x + 1 : changed.x1;

@@ -13,7 +13,7 @@ enum {
 struct history_def history_default_def(void)
 {
     return (struct history_def){
-        .bytes = 128u << 20, .interval = 60, .tiles_a_tick = 128, .age = 7200, .levels = 16, .pause = 60};
+        .bytes = 96u << 20, .interval = 60, .tiles_a_tick = 64, .age = 7200, .levels = 16, .pause = 60};
 }
 
 struct history *history_create(const struct history_def *def, const struct painting_def *painting)

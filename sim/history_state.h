@@ -1,7 +1,9 @@
 /* The inside of a history, shared by the files that make it up; nobody else includes this.
  *   history.c          life, keeping tiles, actions
  *   history_group.c    who did what where
- *   history_restore.c  undo, redo, rewind */
+ *   history_restore.c  tiles out of the engine and back
+ *   history_undo.c     undo, redo
+ *   history_rewind.c   the time brush */
 #ifndef FROND_HISTORY_STATE_H
 #define FROND_HISTORY_STATE_H
 

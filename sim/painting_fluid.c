@@ -222,6 +222,10 @@ static void sweep_run(void *context, int piece, int member)
     pass.kernel.round = dead_band(painting);
     int top = pass.run->y0 - pass.steps, bottom = pass.run->y1 + pass.steps;
     int first = top < 0 ? 0 : top, end = bottom > painting->height ? painting->height : bottom;
+    if (first == 0) { /* beyond the upper edge nothing is open: pigment asks, and no row of the ring was made for it */
+        memset(gates_row(&pass, GATE_ROWS - 1) + OPEN_INK * RING - 1, 0,
+               (size_t)(pass.span.to - pass.span.from + 2) * sizeof(float));
+    }
     for (int s = first; s < bottom; s++) {
         if (s < end) {
             if (!reads_in_place(&pass, s - 1) || !reads_in_place(&pass, s) || !reads_in_place(&pass, s + 1)) {

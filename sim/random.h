@@ -16,6 +16,7 @@ enum random_stream {
     RANDOM_VARY_ALPHA_A,
     RANDOM_VARY_SET,
     RANDOM_GRAIN, /* paper */
+    RANDOM_RIM,   /* the edge of the time brush */
     RANDOM_WATER, /* where running water is early; the next stream: where it turns aside */
     RANDOM_WATER_TURN,
 };

@@ -1,13 +1,15 @@
 #include "rinse.h"
 
-#include <limits.h>
 #include <math.h>
 
 #include "noise.h"
 
 #define FARTHEST 2.0f /* sheets that a front may lie beyond one: the range of its key */
 #define SLACK    0.1f /* phase that differs from place to place of the lattice, about */
+#define FINEST   6.0f /* cells: features of the noise that the lattice can hold */
 #define PAST     1.3f /* phase beyond which nothing is done any more */
+
+enum { NO_LINE = -2 }; /* not even the one before the first */
 
 static float clamp(float value, float least, float most)
 {
@@ -42,8 +44,19 @@ static void take_front(struct rinse *rinse, const struct action_path *path)
     }
 }
 
-/* Bounds of the water in cells of the visible sheet: of a front, those of the corners of its band. */
-static void take_bounds(struct rinse *rinse)
+/* Cells of the sheet with its margin from places on the visible one. The margin has the phase of the border. */
+static int first_cell(float at, int cells, int margin)
+{
+    return at <= 0.0f ? 0 : at >= (float)cells ? cells + 2 * margin : (int)at + margin;
+}
+
+static int end_cell(float at, int cells, int margin)
+{
+    return at >= (float)cells ? cells + 2 * margin : at < 0.0f ? 0 : (int)at + 1 + margin;
+}
+
+/* The cells where the phase may be `first` or more: of a front, those between the corners of its band. */
+static struct rectangle bounds_of(const struct rinse *rinse, float first)
 {
     const struct painting_def *def = rinse->def;
     float width = (float)def->width, height = (float)def->height;
@@ -58,7 +71,8 @@ static void take_bounds(struct rinse *rinse)
             most = rinse->front[i].y > most ? rinse->front[i].y : most;
         }
         float ragged = RINSE_MOST * rinse->vary * rinse->depth;
-        const float ALONG[] = {least - PAST * rinse->depth - ragged, most + ragged}, ACROSS[] = {-across, across};
+        const float ALONG[] = {least - PAST * rinse->depth - ragged, most - first * rinse->depth + ragged},
+                    ACROSS[] = {-across, across};
         for (int corner = 0; corner < 4; corner++) {
             float along = ALONG[corner % 2], c = ACROSS[corner / 2];
             float x = rinse->flow.x * along - rinse->flow.y * c, y = rinse->flow.y * along + rinse->flow.x * c;
@@ -66,12 +80,8 @@ static void take_bounds(struct rinse *rinse)
             y0 = y < y0 ? y : y0, y1 = y > y1 ? y : y1;
         }
     }
-    /* The margin has the phase of the border. */
-    int margin = def->margin;
-    rinse->cells.x0 = x0 <= 0.0f ? 0 : x0 >= width ? def->width + 2 * margin : (int)x0 + margin;
-    rinse->cells.x1 = x1 >= width ? def->width + 2 * margin : x1 < 0.0f ? 0 : (int)x1 + 1 + margin;
-    rinse->cells.y0 = y0 <= 0.0f ? 0 : y0 >= height ? def->height + 2 * margin : (int)y0 + margin;
-    rinse->cells.y1 = y1 >= height ? def->height + 2 * margin : y1 < 0.0f ? 0 : (int)y1 + 1 + margin;
+    return (struct rectangle){first_cell(x0, def->width, def->margin), end_cell(x1, def->width, def->margin),
+                              first_cell(y0, def->height, def->margin), end_cell(y1, def->height, def->margin)};
 }
 
 void rinse_begin(struct rinse *rinse, const struct painting_def *def, const struct action *action)
@@ -88,15 +98,16 @@ void rinse_begin(struct rinse *rinse, const struct painting_def *def, const stru
     rinse->radius = action->radius;
     rinse->depth = action->reach * extent;
     rinse->vary = rinse->disc ? 0.0f : action->vary;
-    rinse->size = clamp(0.07f * extent, 6.0f, 1e4f);
-    rinse->line = INT_MIN;
+    rinse->size = clamp(0.07f * extent, FINEST, 1e4f);
+    rinse->line = NO_LINE;
     rinse->count = 0;
-    rinse->cells = (struct rectangle){0, 0, 0, 0};
+    rinse->cells = rinse->over = (struct rectangle){0, 0, 0, 0};
     if (action->path.count > 0) {
         take_front(rinse, &action->path);
     }
     if (rinse->disc || rinse->count > 0) {
-        take_bounds(rinse);
+        rinse->cells = bounds_of(rinse, 0.0f);
+        rinse->over = bounds_of(rinse, RINSE_OVER);
     }
 }
 
@@ -137,8 +148,8 @@ static float behind_at(const struct rinse *rinse, struct point place, float *tur
     }
     float x = place.x, y = 0.22f * place.y; /* tongues are longer than wide */
     float early = 0.6f * noise_smooth(x, y, rinse->size, seed, RANDOM_WATER) +
-                  0.25f * noise_smooth(x + 0.5f * y, y, 0.4f * rinse->size, seed, RANDOM_WATER) +
-                  0.25f * noise_smooth(x, 0.3f * y, 0.25f * rinse->size, seed, RANDOM_WATER);
+                  0.25f * noise_smooth(x + 0.5f * y, y, clamp(0.4f * rinse->size, FINEST, 1e4f), seed, RANDOM_WATER) +
+                  0.25f * noise_smooth(x, 0.3f * y, clamp(0.25f * rinse->size, FINEST, 1e4f), seed, RANDOM_WATER);
     *turn = clamp(noise_smooth(x, y, 0.7f * rinse->size, seed, RANDOM_WATER_TURN), -1.0f, 1.0f);
     return behind + rinse->vary * clamp(early, -RINSE_MOST, RINSE_MOST);
 }
@@ -155,7 +166,7 @@ static void fill_line(const struct rinse *rinse, int line, float behind[], float
 static void take_lines(struct rinse *rinse, int line)
 {
     int slot = line & 1;
-    if (rinse->line == INT_MIN || rinse->line != line - 1) {
+    if (rinse->line != line - 1) {
         fill_line(rinse, line, rinse->rows[slot][0], rinse->rows[slot][1]);
     }
     fill_line(rinse, line + 1, rinse->rows[!slot][0], rinse->rows[!slot][1]);

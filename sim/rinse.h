@@ -29,11 +29,11 @@ struct rinse {
     bool disc;
     struct point at; /* middle of a disc, cells of the visible sheet */
     float radius, depth, vary;
-    float size;                       /* of the features of the noise across the flow, cells */
-    int count;                        /* points of the front, by `across` */
-    struct point front[RINSE_POINTS]; /* x: across the flow, y: along it; cells of the visible sheet */
-    struct rectangle cells;           /* bounds, clipped to the sheet */
-    int line; /* of the lattice, whose rows, and those of the next, are at hand; INT_MIN: none */
+    float size;                           /* of the features of the noise across the flow, cells */
+    int count;                            /* points of the front, by `across` */
+    struct point front[RINSE_POINTS];     /* x: across the flow, y: along it; cells of the visible sheet */
+    struct rectangle cells, over;         /* bounds of the water, and of its last, clipped to the sheet */
+    int line;                             /* of the lattice, whose rows, and those of the next, are at hand */
     float rows[2][2][RINSE_LATTICE_MOST]; /* [line & 1][behind the front, turn] */
 };
 

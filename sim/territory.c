@@ -13,6 +13,7 @@ enum {
     DIAGONAL = 4,        /* TERRITORY_CELL is 3: the 3-4 chamfer */
     BARE = 20,           /* times as long, where nothing is carved */
     UNREACHED = 1 << 24, /* farther than any cell */
+    LIQUID = 6,          /* cells that liquid is ahead of what is carved */
     BESIDE = 16,         /* cells beside its branches that growth concerns */
     PASSES = 64,         /* of a sweep to and fro: branches wind less than that */
 };
@@ -32,7 +33,9 @@ struct spread {
     int width, height, across;
     int32_t *units;   /* distance */
     float *value;     /* NULL, or what travels along */
+    float *since;     /* NULL, or when a cell was carved: what set out later (its value) does not pass by there */
     int32_t *lengths; /* of a step into each cell */
+    int *changed;     /* [height + 2], the sweep in which a row has changed last */
 };
 
 static bool spread_init(struct spread *spread, const struct territory *territory, bool carries)
@@ -43,18 +46,21 @@ static bool spread_init(struct spread *spread, const struct territory *territory
     size_t cells = (size_t)spread->across * (size_t)(spread->height + 2);
     spread->units = malloc(cells * sizeof *spread->units);
     spread->lengths = malloc(cells * sizeof *spread->lengths);
+    spread->changed = calloc((size_t)spread->height + 2, sizeof *spread->changed);
     spread->value = carries ? calloc(cells, sizeof *spread->value) : NULL;
     for (size_t i = 0; spread->units && i < cells; i++) {
         spread->units[i] = UNREACHED;
     }
-    return spread->units && spread->lengths && (!carries || spread->value);
+    return spread->units && spread->lengths && spread->changed && (!carries || spread->value);
 }
 
 static void spread_finish(struct spread *spread)
 {
     free(spread->units);
     free(spread->lengths);
+    free(spread->changed);
     free(spread->value);
+    free(spread->since);
 }
 
 static size_t place(const struct spread *spread, int x, int y)
@@ -65,7 +71,8 @@ static size_t place(const struct spread *spread, int x, int y)
 static bool relax(struct spread *spread, size_t at, ptrdiff_t beside, int32_t step)
 {
     size_t from = (size_t)((ptrdiff_t)at + beside);
-    int32_t units = spread->units[from] + step;
+    bool late = spread->since && spread->value[from] >= spread->since[at];
+    int32_t units = spread->units[from] + (late ? BARE * step : step);
     if (units >= spread->units[at]) {
         return false;
     }
@@ -88,6 +95,26 @@ static bool relax_cell(struct spread *spread, size_t at, ptrdiff_t way)
     return changed;
 }
 
+/* To or fro, through the rows beside which anything has changed in the last sweeps. */
+static bool spread_sweep(struct spread *spread, int sweep)
+{
+    bool any = false;
+    int way = sweep % 2 ? 1 : -1, *changed = spread->changed + 1;
+    for (int i = 0; i < spread->height; i++) {
+        int y = way > 0 ? i : spread->height - 1 - i, before = sweep - 2;
+        if (changed[y] < before && changed[y - 1] < before && changed[y + 1] < before) {
+            continue;
+        }
+        bool row = false;
+        for (int j = 0; j < spread->width; j++) {
+            row |= relax_cell(spread, place(spread, way > 0 ? j : spread->width - 1 - j, y), way);
+        }
+        changed[y] = row ? sweep : changed[y];
+        any = any || row;
+    }
+    return any;
+}
+
 /* From the cells that have a distance to all others. `carved`: where steps are short. */
 static void spread_run(struct spread *spread, const struct territory *territory, uint8_t carved)
 {
@@ -97,19 +124,10 @@ static void spread_run(struct spread *spread, const struct territory *territory,
             spread->lengths[place(spread, x, y)] = row[x] & carved ? 1 : BARE;
         }
     }
-    bool changed = true;
-    for (int pass = 0; changed && pass < PASSES; pass++) {
-        changed = false;
-        for (int y = 0; y < spread->height; y++) {
-            for (int x = 0; x < spread->width; x++) {
-                changed |= relax_cell(spread, place(spread, x, y), 1);
-            }
-        }
-        for (int y = spread->height - 1; y >= 0; y--) {
-            for (int x = spread->width - 1; x >= 0; x--) {
-                changed |= relax_cell(spread, place(spread, x, y), -1);
-            }
-        }
+    int last = 0;
+    memset(spread->changed, 0, (size_t)(spread->height + 2) * sizeof *spread->changed);
+    for (int sweep = 1; sweep <= 2 * PASSES && last + 2 > sweep - 1; sweep++) {
+        last = spread_sweep(spread, sweep) ? sweep : last;
     }
 }
 
@@ -130,16 +148,26 @@ static float distance_in(const struct territory *territory, const struct mark *m
     return mark_distance(mark, (float)(territory->box.x0 + x) + 0.5f, (float)(territory->box.y0 + y) + 0.5f);
 }
 
+static float since_begin(const struct territory *territory, uint32_t moment)
+{
+    return moment > territory->begin ? (float)(moment - territory->begin) : 0.0f;
+}
+
 /* The cells of a mark, which something set out from `head` cells behind. */
 static void set_out(struct spread *spread, const struct territory *territory, const struct mark *mark, float head)
 {
     struct rectangle cells = around(territory, mark, EDGE);
     int32_t units = (int32_t)(head * TERRITORY_CELL);
+    float when = since_begin(territory, mark->moment);
     for (int y = cells.y0; y < cells.y1; y++) {
         for (int x = cells.x0; x < cells.x1; x++) {
             size_t at = place(spread, x, y);
-            if (distance_in(territory, mark, x, y) <= EDGE && units < spread->units[at]) {
+            bool passed = spread->since && spread->since[at] <= when; /* others had been there before */
+            if (distance_in(territory, mark, x, y) <= EDGE && units < spread->units[at] && !passed) {
                 spread->units[at] = units;
+                if (spread->since) {
+                    spread->value[at] = when;
+                }
             }
         }
     }
@@ -147,8 +175,7 @@ static void set_out(struct spread *spread, const struct territory *territory, co
 
 static float late(const struct territory *territory, const struct mark *mark)
 {
-    float moments = mark->moment > territory->begin ? (float)(mark->moment - territory->begin) : 0.0f;
-    return moments / territory->moments_a_cell;
+    return since_begin(territory, mark->moment) / territory->moments_a_cell;
 }
 
 static bool spread_own(struct spread *spread, const struct territory *territory, bool on_pattern)
@@ -183,12 +210,15 @@ static bool measure_growth(struct territory *territory)
 {
     struct spread own, others;
     bool whole = spread_init(&own, territory, false);
-    whole = spread_init(&others, territory, false) && whole;
+    whole = spread_init(&others, territory, true) && whole;
+    others.since = whole ? calloc((size_t)others.across * (size_t)(others.height + 2), sizeof *others.since) : NULL;
+    whole = whole && others.since;
     if (whole && spread_own(&own, territory, false)) {
         for (int y = 0; y < own.height; y++) {
             for (int x = 0; x < own.width; x++) {
-                bool was = territory->carved[(size_t)y * (size_t)own.width + (size_t)x] & TERRITORY_WAS;
-                others.units[place(&others, x, y)] = was ? 0 : UNREACHED;
+                size_t at = (size_t)y * (size_t)own.width + (size_t)x;
+                others.units[place(&others, x, y)] = territory->carved[at] & TERRITORY_WAS ? 0 : UNREACHED;
+                others.since[place(&others, x, y)] = since_begin(territory, territory->since[at]);
             }
         }
         spread_others(&others, territory);
@@ -247,24 +277,61 @@ static bool measure_flow(struct territory *territory)
     return whole;
 }
 
-/* What lies under the group's own marks is always its own; the core of what others did later never is. */
-static void measure_marks(struct territory *territory)
+/* What lies under the group's own marks is always its own. */
+static void measure_own(struct territory *territory, const struct mark *mark)
 {
     size_t width = (size_t)(territory->box.x1 - territory->box.x0);
-    for (int i = 0; i < territory->own_count + territory->other_count; i++) {
-        bool own = i < territory->own_count;
-        const struct mark *mark = own ? &territory->own[i] : &territory->others[i - territory->own_count];
-        struct rectangle cells = around(territory, mark, CORE + SOFT);
-        for (int y = cells.y0; mark->kind != MARK_GROUND && y < cells.y1; y++) {
-            for (int x = cells.x0; x < cells.x1; x++) {
-                float distance = distance_in(territory, mark, x, y);
-                float *depth = &territory->depth[(size_t)y * width + (size_t)x];
-                if (own) {
-                    *depth = EDGE - distance > *depth ? EDGE - distance : *depth;
-                } else {
-                    *depth = distance - CORE < *depth ? distance - CORE : *depth;
-                }
+    struct rectangle cells = around(territory, mark, EDGE + SOFT);
+    for (int y = cells.y0; y < cells.y1; y++) {
+        for (int x = cells.x0; x < cells.x1; x++) {
+            float *depth = &territory->depth[(size_t)y * width + (size_t)x];
+            float inside = EDGE - distance_in(territory, mark, x, y);
+            *depth = inside > *depth ? inside : *depth;
+        }
+    }
+}
+
+/* Whether the group's growth, or the liquid that goes before it, had come to a cell at a moment. */
+static bool was_own(const struct territory *territory, int x, int y, uint32_t moment)
+{
+    int width = territory->box.x1 - territory->box.x0, height = territory->box.y1 - territory->box.y0;
+    bool own = false;
+    for (int row = y - LIQUID < 0 ? 0 : y - LIQUID; !own && row <= y + LIQUID && row < height; row++) {
+        for (int column = x - LIQUID < 0 ? 0 : x - LIQUID; !own && column <= x + LIQUID && column < width; column++) {
+            size_t at = (size_t)row * (size_t)width + (size_t)column;
+            own = territory->depth[at] > 0.0f && territory->since[at] <= moment;
+        }
+    }
+    return own;
+}
+
+/* The core of what others did later never is. */
+static void measure_core(struct territory *territory, const struct mark *mark)
+{
+    size_t width = (size_t)(territory->box.x1 - territory->box.x0);
+    struct rectangle cells = around(territory, mark, CORE + SOFT);
+    for (int y = cells.y0; y < cells.y1; y++) {
+        for (int x = cells.x0; x < cells.x1; x++) {
+            size_t at = (size_t)y * width + (size_t)x;
+            float outside = distance_in(territory, mark, x, y) - CORE;
+            if (outside <= 0.5f * SOFT && was_own(territory, x, y, mark->moment)) {
+                territory->claimed[at] = mark->moment;
             }
+            territory->depth[at] = outside < territory->depth[at] ? outside : territory->depth[at];
+        }
+    }
+}
+
+static void measure_marks(struct territory *territory)
+{
+    for (int i = 0; i < territory->own_count; i++) {
+        if (territory->own[i].kind != MARK_GROUND) {
+            measure_own(territory, &territory->own[i]);
+        }
+    }
+    for (int i = 0; i < territory->other_count; i++) {
+        if (territory->others[i].kind != MARK_GROUND) {
+            measure_core(territory, &territory->others[i]);
         }
     }
 }
@@ -273,10 +340,11 @@ bool territory_measure(struct territory *territory)
 {
     size_t cells = (size_t)(territory->box.x1 - territory->box.x0) * (size_t)(territory->box.y1 - territory->box.y0);
     territory->depth = malloc(cells * sizeof *territory->depth);
+    territory->claimed = calloc(cells, sizeof *territory->claimed);
     for (size_t i = 0; territory->depth && i < cells; i++) {
         territory->depth[i] = NONE;
     }
-    if (!territory->depth || !measure_growth(territory) || !measure_flow(territory)) {
+    if (!territory->depth || !territory->claimed || !measure_growth(territory) || !measure_flow(territory)) {
         return false;
     }
     measure_marks(territory);
@@ -287,6 +355,10 @@ void territory_finish(struct territory *territory)
 {
     free(territory->carved);
     free(territory->depth);
+    free(territory->claimed);
+    free(territory->since);
+    territory->since = NULL;
+    territory->claimed = NULL;
     territory->carved = NULL;
     territory->depth = NULL;
 }

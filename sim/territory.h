@@ -38,7 +38,9 @@ struct territory {
     float growth, flow;   /* cells that its growth on fresh ground, its liquid on carved ground may have come */
     struct rectangle box; /* whole tiles but for the border; all that it may have changed */
     uint8_t *carved;      /* [box rows][box columns], TERRITORY_WAS and TERRITORY_IS; filled in by the caller */
-    float *depth;         /* as many: by how many cells a cell is the group's; below 0 it is not. territory_measure */
+    uint32_t *since;   /* as many: the first moment after that at which a cell is known to be carved; by the caller */
+    uint32_t *claimed; /* as many: the moment at which others took a cell that had been the group's till then; or 0 */
+    float *depth;      /* as many: by how many cells a cell is the group's; below 0 it is not. territory_measure */
 };
 enum { TERRITORY_WAS = 1, TERRITORY_IS = 2 }; /* carved before the group began; carved now */
 

@@ -23,6 +23,7 @@ static const char HELP[] =
     "      --mode WxH[@HZ]   pixels of the screen or the window; what it prefers if left out\n"
     "      --rotate DEGREES  0, 90, 180 or 270, clockwise; touch turns along\n"
     "      --state DIR       where the gallery is kept; $STATE_DIRECTORY or ~/.local/state/frond if left out\n"
+    "      --open            whatever the exhibit's schedule says\n"
     "      --inputs FILE     sessions: what visitors do, and with which devices (frond explain inputs); else fingers\n"
     "                        paint, gamepads have a point on the sheet, dials turn coefficients\n"
     "      --hold            on a screen: no key reaches the system, neither Ctrl-C nor a change of console\n"
@@ -61,6 +62,7 @@ enum {
     FULL,
     SHADERS,
     STATE,
+    OPEN,
     HELP_ASKED,
     RATE_MOST = 1000,
 };
@@ -181,6 +183,9 @@ static int take_live_option(struct run_order *order, int option)
     case SHADERS:
         order->live.shaders = optarg;
         return -1;
+    case OPEN:
+        order->live.open = true;
+        return -1;
     case STATE:
         order->live.state = optarg;
         return -1;
@@ -211,6 +216,7 @@ static int read_order(int argc, char *argv[], struct run_order *order)
                                             {"full", no_argument, NULL, FULL},
                                             {"shaders", required_argument, NULL, SHADERS},
                                             {"state", required_argument, NULL, STATE},
+                                            {"open", no_argument, NULL, OPEN},
                                             {"help", no_argument, NULL, HELP_ASKED},
                                             {NULL, 0, NULL, 0}};
     int option, status = -1;

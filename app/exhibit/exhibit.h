@@ -96,13 +96,13 @@ struct exhibit_seat {
 };
 
 struct exhibit_visit {
-    float idle;       /* s without input until the countdown */
-    float countdown;  /* s */
-    float thanks;     /* s that a finished picture is looked at before it is washed */
-    float wash;       /* s */
-    float attract;    /* s that a painting of attract takes, rest included */
-    float next_scene; /* paintings of attract until the next scene; 0: it stays */
-    float hide;       /* s that hands are busy until the palette is out of the way */
+    float idle;      /* s without input until the countdown */
+    float countdown; /* s */
+    float thanks;    /* s that a finished picture is looked at before it is washed */
+    float wash;      /* s */
+    float attract;   /* s that a painting of attract takes, rest included */
+    int next_scene;  /* paintings of attract until the next scene; 0: it stays */
+    float hide;      /* s that hands are busy until the palette is out of the way */
 };
 
 struct exhibit_access {

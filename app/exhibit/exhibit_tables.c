@@ -172,8 +172,8 @@ const struct key visit_keys[] = {
     NUMBER("wash", VISIT, wash, "s", 1, 30, 5, "How long the water takes across the sheet."),
     NUMBER("attract", VISIT, attract, "s", 20, 1800, 120,
            "How long a painting takes that the sheet paints by itself, with the rest after it."),
-    NUMBER("next_scene", VISIT, next_scene, "paintings", 0, 1000, 1,
-           "After how many of those the next scene comes; 0: the scene stays."),
+    WHOLE("next_scene", VISIT, next_scene, "paintings", 0, 1000, 1, false,
+          "After how many of those the next scene comes; 0: the scene stays."),
     NUMBER("hide", VISIT, hide, "s", 0, 60, 1.5, "How long hands are busy until the palette goes out of their way."),
     END,
 };

@@ -6,17 +6,22 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 
+#include "exhibit_mark.h"
 #include "folder_watch.h"
 #include "pictures.h"
 
-enum { LOOK_US = 1000000, PATH_BYTES = 1200 };
+enum { LOOK_US = 1000000, PATH_BYTES = 1200, WRITTEN_MS_MOST = 60000 };
 
 struct exhibit_watch {
     char *path;
     struct folder_watch *folders; /* NULL: by the time of the file */
-    struct timespec stamp;
+    struct timespec looked;       /* its time when it was looked at last, without folders */
     uint64_t looked_us;
+    struct timespec stamp; /* its time when it was read last */
+    uint64_t mark;         /* of all it was read from then */
+    bool wrong;            /* it could not be used then: whatever changes may mend it */
 
     bool reading; /* the thread is, or has, and was not joined */
     bool again;   /* something has changed meanwhile */
@@ -67,7 +72,8 @@ struct exhibit_watch *exhibit_watch_create(const char *path, const struct exhibi
         return NULL;
     }
     watch->folders = folder_watch_create();
-    watch->stamp = stamp_of(path);
+    watch->stamp = watch->looked = stamp_of(path);
+    watch->mark = exhibit_mark(path, exhibit);
     watch_folders(watch, exhibit);
     return watch;
 }
@@ -110,9 +116,9 @@ static bool has_changed(struct exhibit_watch *watch, uint64_t now_us)
         return false;
     }
     struct timespec stamp = stamp_of(watch->path);
-    bool other = stamp.tv_sec != watch->stamp.tv_sec || stamp.tv_nsec != watch->stamp.tv_nsec;
+    bool other = stamp.tv_sec != watch->looked.tv_sec || stamp.tv_nsec != watch->looked.tv_nsec;
     watch->looked_us = now_us;
-    watch->stamp = stamp;
+    watch->looked = stamp;
     return other;
 }
 
@@ -125,10 +131,32 @@ static void begin(struct exhibit_watch *watch, uint64_t now_us)
     watch->again = !watch->reading; /* no thread is to be had: another time */
 }
 
-enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_us, struct exhibit **exhibit,
-                                     char **report)
+/* Since the file was written, where it was, else since a change of its folders was noticed. */
+static double took_ms(struct exhibit_watch *watch, uint64_t now_us)
 {
-    watch->again = has_changed(watch, now_us) || watch->again;
+    struct timespec stamp = stamp_of(watch->path), now;
+    bool other = stamp.tv_sec != watch->stamp.tv_sec || stamp.tv_nsec != watch->stamp.tv_nsec;
+    clock_gettime(CLOCK_REALTIME, &now);
+    double ms = 1e3 * (double)(now.tv_sec - stamp.tv_sec) + 1e-6 * (double)(now.tv_nsec - stamp.tv_nsec);
+    watch->stamp = stamp;
+    return other && ms >= 0 && ms < WRITTEN_MS_MOST
+               ? ms
+               : 1e-3 * (double)(now_us - watch->noticed_us) + FOLDER_WATCH_SETTLE_MS;
+}
+
+/* Whether what has changed concerns the exhibit as it is now. */
+static bool concerns(struct exhibit_watch *watch, const struct exhibit *now)
+{
+    uint64_t mark = exhibit_mark(watch->path, now);
+    bool other = mark != watch->mark || watch->wrong;
+    watch->mark = mark;
+    return other;
+}
+
+enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_us, const struct exhibit *now,
+                                     struct exhibit **exhibit, char **report)
+{
+    watch->again = (has_changed(watch, now_us) && concerns(watch, now)) || watch->again;
     if (!watch->reading && watch->again) {
         begin(watch, now_us);
     }
@@ -137,14 +165,16 @@ enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_u
     }
     pthread_join(watch->thread, NULL);
     watch->reading = false;
-    watch->ms = 1e-3 * (double)(now_us - watch->noticed_us);
+    watch->ms = took_ms(watch, now_us);
     *exhibit = watch->exhibit;
     *report = watch->report;
     watch->exhibit = NULL;
     watch->report = NULL;
-    if (!*exhibit) {
+    watch->wrong = !*exhibit;
+    if (watch->wrong) {
         return EXHIBIT_WRONG;
     }
+    watch->mark = exhibit_mark(watch->path, *exhibit);
     watch_folders(watch, *exhibit);
     return EXHIBIT_READ;
 }

@@ -29,6 +29,7 @@
 
 #include "action.h"
 #include "bytes.h"
+#include "history.h"
 #include "painting.h"
 #include "script.h"
 
@@ -70,10 +71,11 @@ struct journal_sheet {
     int mode;                /* enum ink_mixing */
     int inks[PAINTING_INKS]; /* indices into inks[] */
     int ink_count;
-    char scene[BYTES_TEXT]; /* its id; "": none */
+    char scene[BYTES_TEXT];     /* its id; "": none */
+    struct history_def history; /* what undo, redo and rewind go back to; `bytes` 0: there is no history */
 };
 
-/* The sheet of a script on a painting of this definition. */
+/* The sheet of a script on a painting of this definition, with the default history. */
 struct journal_sheet journal_sheet_of(const struct script *script, const struct painting_def *def);
 
 struct journal_error {
@@ -162,9 +164,17 @@ bool journal_open(struct journal_reader *reader, const void *data, size_t size, 
 bool journal_next(struct journal_reader *reader, struct journal_record *record);
 void journal_close(struct journal_reader *reader); /* may be done twice; a zeroed one may be closed */
 
-/* Goes on with a journal after the records that a reader has read: what is written belongs behind its first
- * `reader->good` bytes. */
-void journal_continue(struct journal_writer *writer, const struct journal_reader *reader);
+/* A place between two records. */
+struct journal_place {
+    uint64_t good, records; /* bytes and number of the records before */
+    uint32_t crc;
+    int64_t ticked;
+    int rasters;
+};
+/* Behind what a reader has read. */
+struct journal_place journal_place_of(const struct journal_reader *reader);
+/* Goes on with a journal: what is written belongs behind its first `place->good` bytes. */
+void journal_continue(struct journal_writer *writer, const struct journal_place *place);
 
 const char *journal_kind_name(enum journal_kind kind);
 

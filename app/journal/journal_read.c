@@ -10,6 +10,7 @@
 #include "journal_read.h"
 #include "journal_value.h"
 
+enum { HISTORY_BYTES_MOST = 1 << 30, HISTORY_TICKS_MOST = 1 << 24, HISTORY_LEVELS_MOST = 1 << 16 };
 static const float PLACE_MOST = 16.0f; /* sheets: a stroke may leave its own a little */
 
 bool journal_torn(struct journal_reader *reader, const char *format, ...)
@@ -143,6 +144,17 @@ bool journal_read_size(struct cursor *body, int *width, int *height, int *margin
     return !body->failed && *width >= PAINTING_SIZE_MIN && *height >= PAINTING_SIZE_MIN;
 }
 
+static bool read_history(struct cursor *body, struct history_def *history)
+{
+    history->bytes = (size_t)cursor_count(body, HISTORY_BYTES_MOST);
+    history->interval = cursor_count(body, HISTORY_TICKS_MOST);
+    history->tiles_a_tick = cursor_count(body, HISTORY_TICKS_MOST);
+    history->age = cursor_count(body, HISTORY_TICKS_MOST);
+    history->levels = cursor_count(body, HISTORY_LEVELS_MOST);
+    history->pause = cursor_count(body, HISTORY_TICKS_MOST);
+    return history->bytes == 0 || (history->interval > 0 && history->tiles_a_tick > 0);
+}
+
 bool journal_read_sheet(struct cursor *body, struct journal_sheet *sheet, int *skipped)
 {
     char name[BYTES_TEXT];
@@ -165,7 +177,7 @@ bool journal_read_sheet(struct cursor *body, struct journal_sheet *sheet, int *s
     }
     cursor_text(body, sheet->scene);
     journal_read_coefficients(body, &sheet->def.coefficients, skipped);
-    return !body->failed;
+    return read_history(body, &sheet->history) && !body->failed;
 }
 
 static void declare(struct journal_reader *reader, struct cursor *body)
@@ -286,7 +298,7 @@ static bool read_action(struct journal_reader *reader, struct cursor *body, stru
         return false;
     }
     *action = action_default(verb->verb);
-    action->visitor = cursor_count(body, INT32_MAX);
+    action->visitor = cursor_count(body, INT32_MAX) + HISTORY_SCRIPT;
     for (int i = 0; i < verb->count && !body->failed; i++) {
         if (!verb->keys[i]) {
             skip_value(body, verb->types[i]);

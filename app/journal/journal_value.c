@@ -81,7 +81,8 @@ const char *journal_kind_name(enum journal_kind kind)
 
 struct journal_sheet journal_sheet_of(const struct script *script, const struct painting_def *def)
 {
-    struct journal_sheet sheet = {.def = *def, .mode = script->mode, .ink_count = script->ink_count};
+    struct journal_sheet sheet = {
+        .def = *def, .mode = script->mode, .ink_count = script->ink_count, .history = history_default_def()};
     for (int i = 0; i < script->ink_count; i++) {
         sheet.inks[i] = script->inks[i];
     }

@@ -6,6 +6,7 @@
 #include "ink.h"
 #include "journal.h"
 #include "journal_value.h"
+#include "journal_write.h"
 
 enum { ZSTD_LEVEL = 1, CHANNELS_MOST = 2 };
 
@@ -90,11 +91,8 @@ static void put_coefficients(struct bytes *out, const struct coefficients *coeff
     }
 }
 
-static void put_sheet(struct journal_writer *writer, enum journal_kind kind, int64_t ticked,
-                      const struct journal_sheet *sheet)
+void journal_put_sheet(struct bytes *out, const struct journal_sheet *sheet)
 {
-    struct bytes *out = &writer->out;
-    open_record(writer, kind, ticked);
     bytes_put_varint(out, (uint64_t)sheet->def.width);
     bytes_put_varint(out, (uint64_t)sheet->def.height);
     bytes_put_varint(out, (uint64_t)sheet->def.margin);
@@ -106,6 +104,19 @@ static void put_sheet(struct journal_writer *writer, enum journal_kind kind, int
     }
     bytes_put_text(out, sheet->scene);
     put_coefficients(out, &sheet->def.coefficients);
+    bytes_put_varint(out, sheet->history.bytes);
+    bytes_put_varint(out, (uint64_t)sheet->history.interval);
+    bytes_put_varint(out, (uint64_t)sheet->history.tiles_a_tick);
+    bytes_put_varint(out, (uint64_t)sheet->history.age);
+    bytes_put_varint(out, (uint64_t)sheet->history.levels);
+    bytes_put_varint(out, (uint64_t)sheet->history.pause);
+}
+
+static void put_sheet(struct journal_writer *writer, enum journal_kind kind, int64_t ticked,
+                      const struct journal_sheet *sheet)
+{
+    open_record(writer, kind, ticked);
+    journal_put_sheet(&writer->out, sheet);
     close_record(writer);
 }
 
@@ -304,7 +315,7 @@ void journal_action(struct journal_writer *writer, int64_t ticked, const struct 
     }
     open_record(writer, JOURNAL_ACTION, ticked);
     bytes_put_u8(&writer->out, legal.verb);
-    bytes_put_varint(&writer->out, legal.visitor > 0 ? (uint64_t)legal.visitor : 0);
+    bytes_put_varint(&writer->out, legal.visitor >= HISTORY_SCRIPT ? (uint64_t)(legal.visitor - HISTORY_SCRIPT) : 0);
     i = 0;
     for (const struct key *key = action_keys(legal.verb); key->name; key++, i++) {
         put_parameter(&writer->out, key, &legal, rasters[i]);
@@ -318,13 +329,18 @@ void journal_taken(struct journal_writer *writer, size_t size)
     writer->out.size -= size;
 }
 
-void journal_continue(struct journal_writer *writer, const struct journal_reader *reader)
+struct journal_place journal_place_of(const struct journal_reader *reader)
 {
-    *writer = (struct journal_writer){.crc = reader->crc,
-                                      .written = reader->good,
-                                      .records = reader->records,
-                                      .ticked = reader->ticked,
-                                      .raster_first = reader->raster_count};
+    return (struct journal_place){reader->good, reader->records, reader->crc, reader->ticked, reader->raster_count};
+}
+
+void journal_continue(struct journal_writer *writer, const struct journal_place *place)
+{
+    *writer = (struct journal_writer){.crc = place->crc,
+                                      .written = place->good,
+                                      .records = place->records,
+                                      .ticked = place->ticked,
+                                      .raster_first = place->rasters};
 }
 
 void journal_finish(struct journal_writer *writer)

@@ -4,7 +4,21 @@
 
 static const char NAME[] = "the journal";
 
-/* The first pass: how long it is, and whether there is anything in it. */
+static void read_next(struct player *player)
+{
+    player->done = journal_place_of(&player->reader);
+    player->has_next = journal_next(&player->reader, &player->next);
+    if (!player->has_next) {
+        player->done = journal_place_of(&player->reader);
+    }
+}
+
+static bool goes_back(enum action_verb verb)
+{
+    return verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
+}
+
+/* The first pass: how long it is, and what there is in it. */
 static bool measure(struct player *player, const void *data, size_t size, struct file_error *error)
 {
     struct journal_reader reader;
@@ -15,39 +29,24 @@ static bool measure(struct player *player, const void *data, size_t size, struct
     }
     bool sheet = journal_next(&reader, &record) && record.kind == JOURNAL_SHEET;
     while (journal_next(&reader, &record)) {
+        player->goes_back = player->goes_back || (record.kind == JOURNAL_ACTION && goes_back(record.action.verb));
     }
     player->last = reader.ticked;
     journal_close(&reader);
     return sheet || file_fail(error, NAME, "there is no sheet in it");
 }
 
-struct engine *player_carry(struct easel *easel, struct engine *engine, const struct painting_def *def,
-                            bool coefficients, struct file_error *error)
+/* What undo goes back to begins anew; where nothing in the journal goes back, there is none. */
+static bool fit_history(struct player *player, struct file_error *error)
 {
-    struct painting_def now = engine->ops->get_def(engine), then = *def;
-    struct checkpoint from = {.planes = NULL}, to = {.planes = NULL};
-    struct engine *next = NULL;
-    if (!coefficients) {
-        then.seed = now.seed;
-        then.coefficients = now.coefficients;
+    struct painting_def def = player->engine->ops->get_def(player->engine);
+    history_destroy(player->history);
+    player->history = NULL;
+    if (!player->goes_back || player->resumed || player->sheet.history.bytes == 0) {
+        return true;
     }
-    bool good = checkpoint_init(&from, &now) && checkpoint_init(&to, &then) && engine->ops->save(engine, &from) &&
-                checkpoint_resample(&from, &to);
-    if (good) {
-        next = easel_engine(easel, &then, error);
-        good = next && next->ops->load(next, &to);
-    } else {
-        file_fail(error, NAME, "memory is short for another grid");
-    }
-    if (!good) {
-        engine_destroy(next);
-        next = NULL;
-    } else {
-        engine_destroy(engine);
-    }
-    checkpoint_finish(&from);
-    checkpoint_finish(&to);
-    return next;
+    player->history = history_create(&player->sheet.history, &def);
+    return player->history || file_fail(error, NAME, "memory is short for what is taken back");
 }
 
 static bool take_sheet(struct player *player, const struct journal_sheet *sheet, struct file_error *error)
@@ -60,24 +59,52 @@ static bool take_sheet(struct player *player, const struct journal_sheet *sheet,
     player->engine = next;
     player->sheet = *sheet;
     player->sheets++;
-    return true;
+    return fit_history(player, error);
 }
 
-/* The painting as it is on another sheet. */
-static bool carry(struct player *player, const struct painting_def *def, bool coefficients, struct file_error *error)
+/* The painting on the sheet of this definition, whose seed it takes; its coefficients stay. As the studio does it. */
+static struct engine *carry(struct player *player, const struct painting_def *def, struct file_error *error)
 {
-    struct engine *next = player_carry(player->easel, player->engine, def, coefficients, error);
-    if (next) {
-        player->engine = next;
-        player->sheet.def = next->ops->get_def(next);
+    struct engine *engine = player->engine, *next = NULL;
+    struct painting_def now = engine->ops->get_def(engine);
+    struct checkpoint from = {.planes = NULL}, to = {.planes = NULL};
+    bool same = now.width == def->width && now.height == def->height && now.margin == def->margin;
+    struct checkpoint *taken = same ? &from : &to;
+    bool good = checkpoint_init(&from, &now) && engine->ops->save(engine, &from) &&
+                (same || (checkpoint_init(&to, def) && checkpoint_resample(&from, &to)));
+    if (good) {
+        taken->def.seed = taken->ground->def.seed = def->seed;
+        next = same ? engine : easel_engine(player->easel, &to.def, error);
+        good = next && next->ops->load(next, taken);
+    } else {
+        file_fail(error, NAME, "memory is short for another grid");
     }
-    return next;
+    checkpoint_finish(&from);
+    checkpoint_finish(&to);
+    if (!good && next != engine) {
+        engine_destroy(next);
+    }
+    return good ? next : NULL;
+}
+
+static bool take_canvas(struct player *player, const struct painting_def *def, struct file_error *error)
+{
+    struct engine *next = carry(player, def, error);
+    if (!next) {
+        return false;
+    }
+    if (next != player->engine) {
+        engine_destroy(player->engine);
+    }
+    player->engine = next;
+    player->sheet.def = next->ops->get_def(next);
+    return fit_history(player, error);
 }
 
 static bool take_scene(struct player *player, const struct journal_sheet *scene, struct file_error *error)
 {
     player->sheet = *scene;
-    return carry(player, &scene->def, true, error);
+    return take_canvas(player, &scene->def, error);
 }
 
 static bool take_grid(struct player *player, const struct journal_record *record, struct file_error *error)
@@ -86,7 +113,18 @@ static bool take_grid(struct player *player, const struct journal_record *record
     def.width = record->grid.width;
     def.height = record->grid.height;
     def.margin = record->grid.margin;
-    return carry(player, &def, false, error);
+    return take_canvas(player, &def, error);
+}
+
+static bool act(struct player *player, const struct action *action)
+{
+    if (player->history) {
+        history_act(player->history, player->engine, action);
+    } else if (!goes_back(action->verb)) {
+        player->engine->ops->act(player->engine, action);
+    }
+    player->actions++;
+    return true;
 }
 
 static bool take(struct player *player, const struct journal_record *record, struct file_error *error)
@@ -99,8 +137,11 @@ static bool take(struct player *player, const struct journal_record *record, str
     case JOURNAL_GRID:
         return take_grid(player, record, error);
     case JOURNAL_ACTION:
-        player->engine->ops->act(player->engine, &record->action);
-        player->actions++;
+        return act(player, &record->action);
+    case JOURNAL_RESTORED:
+        if (player->history) {
+            history_forget(player->history);
+        }
         return true;
     default:
         return true;
@@ -117,21 +158,50 @@ bool player_open(struct player *player, const void *data, size_t size, struct ea
     if (!journal_open(&player->reader, data, size, &reason)) {
         return file_fail(error, NAME, "%s", reason.text);
     }
-    player->has_next = journal_next(&player->reader, &player->next);
+    read_next(player);
     return true;
+}
+
+bool player_resume(struct player *player, const void *data, size_t size, const struct player_place *place,
+                   struct easel *easel, struct file_error *error)
+{
+    if (!player_open(player, data, size, easel, error)) {
+        return false;
+    }
+    while (player->has_next && player->reader.records <= place->records) {
+        if (player->next.kind == JOURNAL_SHEET || player->next.kind == JOURNAL_SCENE) {
+            player->sheet = player->next.sheet;
+        }
+        read_next(player);
+    }
+    player->ticked = place->ticked;
+    player->resumed = true;
+    player->engine = easel_engine(easel, &place->checkpoint->def, error);
+    if (!player->engine) {
+        return false;
+    }
+    player->sheet.def = player->engine->ops->get_def(player->engine);
+    return player->engine->ops->load(player->engine, place->checkpoint) ||
+           file_fail(error, NAME, "the checkpoint does not fit");
 }
 
 bool player_tick(struct player *player, struct file_error *error)
 {
     error->text[0] = '\0';
     while (player->has_next && player->next.ticked <= player->ticked) {
+        if (player->resumed && player->next.kind == JOURNAL_ACTION && goes_back(player->next.action.verb)) {
+            return false;
+        }
         if (!take(player, &player->next, error)) {
             return false;
         }
-        player->has_next = journal_next(&player->reader, &player->next);
+        read_next(player);
     }
     if (player->ticked >= player->last || !player->engine) {
         return false;
+    }
+    if (player->history) {
+        history_tick(player->history, player->engine);
     }
     player->engine->ops->tick(player->engine);
     player->ticked++;
@@ -141,6 +211,8 @@ bool player_tick(struct player *player, struct file_error *error)
 void player_close(struct player *player)
 {
     journal_close(&player->reader);
+    history_destroy(player->history);
     engine_destroy(player->engine);
     player->engine = NULL;
+    player->history = NULL;
 }

@@ -8,7 +8,9 @@
 #ifndef FROND_PLAYER_H
 #define FROND_PLAYER_H
 
+#include "checkpoint.h"
 #include "easel.h"
+#include "history.h"
 #include "journal.h"
 
 struct player {
@@ -19,9 +21,12 @@ struct player {
     int64_t ticked;             /* painted, over all sheets */
     int64_t last;               /* what `ticked` will be at the end; known from the beginning */
     int sheets, actions;        /* so far */
-    /* The inside. */
-    struct journal_record next;
+    struct journal_record next; /* what is done next, at next.ticked */
     bool has_next;
+    struct journal_place done; /* behind what was done last: before `next` and what it declares */
+    /* The inside. */
+    struct history *history; /* NULL: nothing is taken back */
+    bool goes_back, resumed;
 };
 
 /* Reads the journal once, to see how long it is, and takes up its first sheet. False, with the reason in `error`, where
@@ -30,11 +35,15 @@ bool player_open(struct player *player, const void *data, size_t size, struct ea
 /* Does what is due, then one tick. False when that was all: what is due last has been done, without a tick after it; or
  * when it failed, with the reason in `error` (else ""). */
 bool player_tick(struct player *player, struct file_error *error);
+/* Takes up a painting in the middle of its journal instead, to do what came after. What undo, redo and rewind would go
+ * back to is not there: player_tick ends before the first of them, which is `next` then. */
+struct player_place {
+    const struct checkpoint *checkpoint;
+    int64_t ticked;   /* when it was taken */
+    uint64_t records; /* that the journal held then */
+};
+bool player_resume(struct player *player, const void *data, size_t size, const struct player_place *place,
+                   struct easel *easel, struct file_error *error);
 void player_close(struct player *player); /* a zeroed one may be closed */
-
-/* Another engine for this definition with the painting of the old, which is destroyed. When that fails the old one is
- * as it was, and NULL comes back. `coefficients`: those of the definition are new, else the painting's stay. */
-struct engine *player_carry(struct easel *easel, struct engine *engine, const struct painting_def *def,
-                            bool coefficients, struct file_error *error);
 
 #endif

@@ -38,6 +38,7 @@ struct live {
     struct live_picture picture;
     struct live_care care;
     struct live_input input;
+    struct live_keep painting;
     struct live_kiosk kiosk; /* without an exhibit it does nothing */
     struct live_service service;
     struct log log;
@@ -287,6 +288,8 @@ static bool open_studio(struct live *live)
     def.ticks_per_second = live->def->ticks_per_second;
     def.xray = live->def->xray;
     def.once = live->def->once;
+    live_keep_open(&live->painting, live->def->state, live->def->exhibit, live->choice.kind);
+    live_keep_studio(&live->painting, live->def->exhibit, &def);
     live->studio = studio_create(&def, live->display, &error);
     if (!live->studio) {
         say(live, LOG_LEVEL_ERROR, "%s", error.text);
@@ -301,7 +304,11 @@ static bool open_input(struct live *live)
                                          .rotation = live->def->rotation,
                                          .hold = live->def->hold,
                                          .console = live->def->console};
-    const struct live_kiosk_def def = {live->def->exhibit, live->def->state, live->def->trouble};
+    const struct live_kiosk_def def = {.exhibit = live->def->exhibit,
+                                       .trouble = live->def->trouble,
+                                       .open = live->def->open,
+                                       .painting = &live->painting,
+                                       .state = live->def->state};
     const struct live_status_def status = {.display = live->display,
                                            .studio = live->studio,
                                            .input = &live->input,
@@ -337,6 +344,7 @@ bool live(const struct script *script, struct display *display, const struct liv
     }
     live_service_close(&live.service);
     studio_destroy(live.studio);
+    live_keep_close(&live.painting);
     live_input_close(&live.input);
     live_kiosk_close(&live.kiosk);
     live_picture_finish(&live.picture);

@@ -13,6 +13,7 @@ struct live_def {
     enum engine_kind engine;
     const char *shaders;     /* folder of shader sources, looked at again when they change; NULL: the embedded ones */
     struct exhibit *exhibit; /* taken over: a kiosk; NULL: a session */
+    bool open;               /* a kiosk: whatever its schedule says */
     const char *state;       /* folder that a kiosk may write to; NULL: none */
     const struct inputs *inputs; /* what visitors do; NULL: the default (inputs.h) */
     const char *trouble;         /* why the exhibit's file cannot be used and this one stands in for it; NULL: it can */

@@ -9,7 +9,7 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
     struct display_size size = display_sheet(display);
     bool screen = display_kind(display) == DISPLAY_KMS;
     int fds[SOURCES_MAX];
-    *input = (struct live_input){.own = def->inputs ? NULL : inputs_default(script)};
+    *input = (struct live_input){.kiosk = def->kiosk, .own = def->inputs ? NULL : inputs_default(script)};
     const struct inputs *inputs = def->inputs ? def->inputs : input->own;
     if (!inputs) {
         return false;
@@ -22,8 +22,11 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
                                         .width = size.width,
                                         .height = size.height};
     input->sources = sources_create(&sources);
-    input->controls = controls_create(
-        &(struct controls_def){.inputs = inputs, .inks = script->ink_count, .coefficients = script->coefficients});
+    input->controls = controls_create(&(struct controls_def){.inputs = inputs,
+                                                             .inks = script->ink_count,
+                                                             .coefficients = script->coefficients,
+                                                             .seats = def->seats,
+                                                             .seat_count = def->seat_count});
     input->lamps.inputs = inputs;
     if (!input->sources || !input->controls) {
         return false;

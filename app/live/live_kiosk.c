@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "bench.h"
 #include "script_sheet.h"
@@ -47,6 +48,7 @@ static void stage_change(void *context, const struct script *script)
     struct live_kiosk *kiosk = context;
     studio_change(kiosk->status.studio, script);
     kiosk->other = true;
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
 }
 
 static void stage_keep(void *context)
@@ -126,7 +128,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                      const struct shader_folder *folder)
 {
     struct display_size size = display_sheet(status->display);
-    *kiosk = (struct live_kiosk){.status = *status, .picture = picture, .input = input, .state = def->state};
+    *kiosk = (struct live_kiosk){
+        .status = *status, .picture = picture, .input = input, .state = def->state, .painting = def->painting};
     kiosk->input_def = *input_def;
     live_overlay_init(&kiosk->overlay, folder);
     if (!def->exhibit) {
@@ -138,6 +141,7 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
         .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
         .seed = (uint64_t)time(NULL),
         .built = FROND_BUILT,
+        .open = def->open,
         .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power, stage_sheet, stage_status}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
     kiosk->kiosk = kiosk_create(&kiosk_def, now_us());
@@ -148,6 +152,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
         refuse(kiosk, "the exhibit cannot be shown, and another one stands in for it until it can", def->trouble);
     }
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+    kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
 }
 
@@ -204,7 +210,7 @@ static void look_at_file(struct live_kiosk *kiosk)
         }
         return;
     }
-    switch (exhibit_watch_news(kiosk->watch, now_us(), &exhibit, &report)) {
+    switch (exhibit_watch_news(kiosk->watch, now_us(), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
     case EXHIBIT_READ:
         take_up(kiosk, exhibit);
         break;
@@ -229,6 +235,10 @@ void live_kiosk_run(struct live_kiosk *kiosk)
         live_care_change(kiosk->status.care, script);
         kiosk->other = false;
     }
+    if (kiosk_is_visited(kiosk->kiosk) != kiosk->visited) {
+        kiosk->visited = !kiosk->visited;
+        live_keep_visit(kiosk->painting, kiosk->visited);
+    }
     look_at_file(kiosk);
 }
 
@@ -243,8 +253,17 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
-        gallery_keep(kiosk->gallery, &(struct gallery_picture){
-                                         .rgb = rgb, .width = width, .height = height, .unix_s = (int64_t)time(NULL)});
+        char journal[40];
+        int fd = live_keep_journal(kiosk->painting);
+        snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);
+        gallery_keep(kiosk->gallery, &(struct gallery_picture){.rgb = rgb,
+                                                               .width = width,
+                                                               .height = height,
+                                                               .unix_s = (int64_t)time(NULL),
+                                                               .journal = fd >= 0 ? journal : NULL});
+        if (fd >= 0) {
+            close(fd);
+        }
     }
 }
 
@@ -299,5 +318,8 @@ bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size, enum log_lev
         return true;
     }
     *level = LOG_LEVEL_NOTICE;
+    if (kiosk->kiosk && live_keep_log(kiosk->painting, line, size)) {
+        return true;
+    }
     return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);
 }

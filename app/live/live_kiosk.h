@@ -7,6 +7,7 @@
 #include "gallery.h"
 #include "kiosk.h"
 #include "live_input.h"
+#include "live_keep.h"
 #include "live_overlay.h"
 #include "live_picture.h"
 #include "live_status.h"
@@ -14,13 +15,17 @@
 #include "studio.h"
 
 struct live_kiosk_def {
-    struct exhibit *exhibit; /* taken over; NULL: a session, and no kiosk */
-    const char *state;       /* folder that may be written to, with the gallery in it; NULL: nothing is kept */
-    const char *trouble;     /* as in struct live_def */
+    struct exhibit *exhibit;    /* taken over; NULL: a session, and no kiosk */
+    const char *trouble;        /* as in struct live_def */
+    bool open;                  /* whatever the schedule says */
+    struct live_keep *painting; /* opened, and known to the studio */
+    const char *state;          /* folder that may be written to, with the gallery in it; NULL: nothing is kept */
 };
 
 struct live_kiosk {
-    struct kiosk *kiosk; /* NULL: a session */
+    struct live_keep *painting; /* that is kept against crashes; who is not ours */
+    bool visited;               /* as it was told last */
+    struct kiosk *kiosk;        /* NULL: a session */
     struct live_overlay overlay;
     struct exhibit_watch *watch;
     struct exhibit *before; /* until the studio has let go of its scripts */

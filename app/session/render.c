@@ -105,18 +105,6 @@ static void begin_journal(struct rendering *rendering)
     journal_sheet(&rendering->journal, 0, &sheet);
 }
 
-static void act(struct rendering *rendering, int64_t tick, const struct action *action)
-{
-    if (rendering->history) {
-        history_act(rendering->history, rendering->engine, action);
-    } else {
-        rendering->engine->ops->act(rendering->engine, action);
-    }
-    if (rendering->def->journal) {
-        journal_action(&rendering->journal, tick, action);
-    }
-}
-
 static bool write_journal(struct rendering *rendering, const char *path, struct file_error *error)
 {
     const struct bytes *out = &rendering->journal.out;
@@ -135,13 +123,24 @@ static bool goes_back(const struct script *script)
     return back;
 }
 
-static bool open_history(struct rendering *rendering, struct file_error *error)
+static bool open_history(struct rendering *rendering)
 {
     struct painting_def painting = rendering->engine->ops->get_def(rendering->engine);
     struct history_def def = history_default_def();
-    bool back = goes_back(rendering->script);
-    rendering->history = back ? history_create(&def, &painting) : NULL;
-    return rendering->history || !back || file_fail(error, rendering->def->picture, "memory is short");
+    rendering->history = goes_back(rendering->script) ? history_create(&def, &painting) : NULL;
+    return rendering->history || !goes_back(rendering->script);
+}
+
+static void act(struct rendering *rendering, int64_t tick, const struct action *action)
+{
+    if (rendering->history) {
+        history_act(rendering->history, rendering->engine, action);
+    } else {
+        rendering->engine->ops->act(rendering->engine, action);
+    }
+    if (rendering->def->journal) {
+        journal_action(&rendering->journal, tick, action);
+    }
 }
 
 /* The actions of a tick, then the tick; those of the very last tick too, so that a session can end with one. */
@@ -194,8 +193,10 @@ bool render(const struct script *script, const struct render_def *def, struct pr
         return false;
     }
     rendering.engine = easel_engine(&rendering.easel, &painting, error);
-    bool good = rendering.engine && open_history(&rendering, error) && open_picture(&rendering, error) &&
-                run_session(&rendering, progress, error) && write_end(&rendering, error);
+    bool good =
+        rendering.engine &&
+        (open_history(&rendering) || file_fail(error, "the painting", "memory is short for what is taken back")) &&
+        open_picture(&rendering, error) && run_session(&rendering, progress, error) && write_end(&rendering, error);
     if (progress) {
         progress_end(progress);
     }

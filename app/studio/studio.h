@@ -18,6 +18,7 @@
 #include "history.h"
 #include "program.h"
 #include "script.h"
+#include "studio_tell.h"
 
 enum {
     STUDIO_TICKS_PER_SECOND = 60,
@@ -34,6 +35,9 @@ struct studio_def {
     int threads;                        /* of the CPU engine; 0: one for each processor */
     bool xray;                          /* publish the layers as well */
     struct history_def history;         /* what undo, redo and rewind go back to */
+    struct studio_teller teller;        /* told of all that happens to the painting */
+    const struct checkpoint *from;      /* begin with this painting; NULL: with a fresh sheet. It must outlive it */
+    int64_t from_ticked;                /* what studio_event.ticked begins with then */
     bool once;                          /* stop after the script's last tick; else rest, clear and begin again */
 };
 

@@ -5,6 +5,7 @@
 
 #include "painting_gpu.h"
 #include "script_sheet.h"
+#include "studio_tell.h"
 
 static int scaled(int cells, float scale, int least)
 {
@@ -88,6 +89,38 @@ bool studio_begin_session(struct studio *studio)
     studio->rest_ticks = 0;
     studio->session_start = 0;
     studio->changed_since = true;
+    studio_tell(studio, STUDIO_SHEET);
+    return true;
+}
+
+/* Actions of the script from now on: those before this tick have happened. */
+static void find_next_action(struct studio *studio, int64_t tick)
+{
+    const struct script *script = studio->script;
+    studio->next_action = 0;
+    while (studio->next_action < script->action_count && script->actions[studio->next_action].tick < tick) {
+        studio->next_action++;
+    }
+}
+
+bool studio_take_up(struct studio *studio)
+{
+    const struct checkpoint *from = studio->def.from;
+    struct painting_def def = from->def;
+    def.threads = studio->def.threads;
+    studio->engine = studio_make_engine(studio, &def);
+    if (!studio->engine || !fit(studio, &def) || !studio->engine->ops->load(studio->engine, from)) {
+        snprintf(studio->error.text, sizeof studio->error.text, "the painting cannot be taken up again");
+        return false;
+    }
+    pthread_mutex_lock(&studio->lock);
+    studio->report.sessions++;
+    studio->report.scale = studio->scale = (float)def.width / (float)studio->script->width;
+    pthread_mutex_unlock(&studio->lock);
+    studio->ticked = studio->def.from_ticked;
+    studio->changed_since = true;
+    find_next_action(studio, from->tick);
+    studio_tell(studio, STUDIO_RESTORED);
     return true;
 }
 
@@ -131,7 +164,9 @@ void studio_change_scale(struct studio *studio, float scale)
     struct painting_def def = studio_painting(studio, scale);
     def.seed = studio->engine->ops->get_def(studio->engine).seed;
     bool good = carry_over(studio, &def);
-    if (!good) {
+    if (good) {
+        studio_tell(studio, STUDIO_GRID);
+    } else {
         studio_set_trouble(studio, "the grid cannot be changed: memory is short");
     }
     pthread_mutex_lock(&studio->lock);
@@ -162,6 +197,8 @@ static void set_coefficients(struct studio *studio, const struct coefficients *b
             struct action set = action_default(ACTION_SET);
             set.coefficient = i;
             set.value = value;
+            set.visitor = HISTORY_SCRIPT;
+            studio_tell_action(studio, &set);
             studio->engine->ops->act(studio->engine, &set);
         }
     }
@@ -175,12 +212,11 @@ void studio_take_script(struct studio *studio, const struct script *script)
     studio->script = script;
     pthread_mutex_unlock(&studio->lock);
     struct painting_def def = studio_painting(studio, studio->report.scale);
-    if (!carry_over(studio, &def)) {
+    if (carry_over(studio, &def)) {
+        studio_tell(studio, STUDIO_SCENE);
+    } else {
         studio_set_trouble(studio, "the canvas cannot be changed: memory is short");
     }
     set_coefficients(studio, &before->coefficients, &script->coefficients);
-    studio->next_action = 0;
-    while (studio->next_action < script->action_count && script->actions[studio->next_action].tick < tick) {
-        studio->next_action++;
-    }
+    find_next_action(studio, tick);
 }

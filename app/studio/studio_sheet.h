@@ -10,6 +10,8 @@ struct painting_def studio_painting(const struct studio *studio, float scale);
 struct engine *studio_make_engine(struct studio *studio, const struct painting_def *def);
 /* A fresh sheet with a seed of its own, at the script's first tick. False when none can be had: the old one stays. */
 bool studio_begin_session(struct studio *studio);
+/* Begins with the painting that the studio was given, `def.from`; false when it cannot be had. */
+bool studio_take_up(struct studio *studio);
 /* The painting on another grid. When that fails the old one stays. */
 void studio_change_scale(struct studio *studio, float scale);
 /* What the other script says, from now on: its inks, seed, coefficients that differ, actions that are still to come.

@@ -17,13 +17,20 @@ static bool goes_back(enum action_verb verb)
     return verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
 }
 
-static void act(struct studio *studio, const struct studio_action *posted)
+/* The action, with the path that was copied. */
+static struct action action_of(const struct studio_action *posted)
 {
     struct action action = posted->action;
-    studio->changed_since = true;
     if (posted->copied) {
         action.path.points = posted->points;
     }
+    return action;
+}
+
+static void act(struct studio *studio, const struct studio_action *posted)
+{
+    struct action action = action_of(posted);
+    studio->changed_since = true;
     if (studio->history) {
         history_act(studio->history, studio->engine, &action);
     } else {
@@ -35,6 +42,8 @@ static void act(struct studio *studio, const struct studio_action *posted)
 /* Does an action, and keeps it until a checkpoint holds it. */
 static void act_and_keep(struct studio *studio, const struct studio_action *posted)
 {
+    struct action action = action_of(posted);
+    studio_tell_action(studio, &action);
     act(studio, posted);
     if (studio->def.engine == ENGINE_GPU && studio->journal_count < STUDIO_JOURNAL) {
         studio->journal[studio->journal_count++] = *posted;
@@ -127,6 +136,7 @@ static void end_checkpoint(struct studio *studio)
     pthread_mutex_lock(&studio->lock);
     studio->report.checkpoint_tick = studio->whole.tick;
     pthread_mutex_unlock(&studio->lock);
+    studio_tell(studio, STUDIO_WHOLE);
 }
 
 static void roll_checkpoint(struct studio *studio)
@@ -141,6 +151,7 @@ static void roll_checkpoint(struct studio *studio)
         studio->taking = true;
         studio->checkpoint_s = now;
         studio->journal_kept = studio->journal_count;
+        studio_tell(studio, STUDIO_TAKING);
     }
     if (studio->taking && engine_gpu_checkpoint_step(studio->engine, &studio->partial)) {
         end_checkpoint(studio);
@@ -179,13 +190,14 @@ static bool tick(struct studio *studio)
     act_script(studio);
     empty_inbox(studio);
     bool ticks = session_tick(studio) < studio->script->ticks;
-    if (studio->history) {
+    if (studio->history && ticks) {
         history_tick(studio->history, studio->engine);
     }
     if (ticks) {
         studio->engine->ops->tick(studio->engine);
         studio->engine->ops->finish(studio->engine);
         studio->changed_since = true;
+        studio_tell_ticked(studio, bench_wall_s() - began);
     } else if (!studio->def.once && ++studio->rest_ticks > REST_TICKS && !studio_begin_session(studio)) {
         return false;
     }
@@ -227,6 +239,9 @@ static bool open_engine(struct studio *studio)
         studio->kept = NULL;
         return true;
     }
+    if (!studio->has_whole && studio->def.from && studio->report.sessions == 0) {
+        return studio_take_up(studio);
+    }
     if (!studio->has_whole) { /* nothing was painted yet, or not for long */
         return studio_begin_session(studio);
     }
@@ -242,6 +257,7 @@ static bool open_engine(struct studio *studio)
     }
     studio->taking = false;
     studio->journal_kept = 0;
+    studio_tell_restored(studio, 0);
     return true;
 }
 

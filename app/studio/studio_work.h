@@ -56,6 +56,7 @@ struct studio {
     bool changed_since;      /* the painting is not what was published last */
     int next_action;         /* of the script */
     int64_t session_start;   /* tick of the engine at which the session began */
+    int64_t ticked;          /* over all sheets: studio_tell.h */
     int64_t rest_ticks;      /* since the session ended */
     struct checkpoint whole, partial;
     bool has_whole, taking;                       /* `partial` is being taken */

@@ -139,7 +139,8 @@ static void string(struct arrangement *a, struct dice *dice, const struct point 
                    float over)
 {
     int brush = brush_of(dice, heroes, 6), other = brush_of(dice, fine, 4);
-    for (float t = dice_between(dice, 0.02f, 0.08f); t < 0.99f; t += 0.01f) {
+    for (int i = 2 + dice_of(dice, 7); i < 99; i++) {
+        float t = 0.01f * (float)i;
         struct point at = on_curve(curve, t);
         float want =
             t < 0.5f ? large[0] + 2 * t * (large[1] - large[0]) : large[1] + (2 * t - 1) * (large[2] - large[1]);
@@ -283,7 +284,8 @@ static void arrange_moon(struct arrangement *a, struct dice *dice)
     float x = (0.5f + dice_between(dice, -0.06f, 0.06f)) * a->width, y = 0.5f * a->height;
     float long_x = 0.30f * fminf(a->width, 1.5f * s), long_y = 0.30f * fminf(a->height, 1.5f * s);
     int brush = brush_of(dice, heroes, 6), other = brush_of(dice, fine, 4);
-    for (float t = 0; t <= 1; t += 0.02f) {
+    for (int i = 0; i <= 50; i++) {
+        float t = 0.02f * (float)i;
         float angle = from + turn * t, swell = sinf(PI * (0.08f + 0.84f * t));
         float r = s * (0.05f + 0.18f * swell) * dice_between(dice, 0.85f, 1.1f);
         r = fminf(fmaxf(r, LEAST), a->longest);

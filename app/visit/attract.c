@@ -6,6 +6,8 @@
 #include "compose.h"
 #include "vary.h"
 
+enum { EVERY = 3 }; /* every third is a recorded one, where there are any */
+
 struct attract {
     const struct exhibit *exhibit;
     struct dice dice;
@@ -34,7 +36,7 @@ struct attract *attract_create(const struct exhibit *exhibit, uint64_t seed)
     attract->dice.state = seed;
     int room = COMPOSE_STEPS;
     for (int i = 0; i < exhibit->session_count; i++) {
-        int count = exhibit->recorded[i] ? exhibit->recorded[i]->action_count : 0;
+        int count = exhibit->recorded[i] ? vary_steps(exhibit->recorded[i]) : 0;
         room = count > room ? count : room;
         attract->recorded[i] = i;
     }
@@ -70,31 +72,48 @@ static int in_turn(struct attract *attract, int *list, int count, int number)
     return list[number % count];
 }
 
+static int rate_of(const struct attract *attract)
+{
+    int rate = attract->exhibit->sheet.rate;
+    return rate > 0 ? rate : STUDIO_TICKS_PER_SECOND;
+}
+
+static void begin_generated(struct attract *attract, const struct script *scene, float aspect, int number)
+{
+    const struct exhibit *exhibit = attract->exhibit;
+    struct compose_def def = {.ink_count = scene->ink_count, .rate = rate_of(attract)};
+    for (int i = 0; i < scene->ink_count; i++) {
+        def.inks[i] = scene->inks[i];
+    }
+    def.ticks = (int64_t)(exhibit->visit.attract * (float)def.rate);
+    def.width = sqrtf((float)exhibit->sheet.cells * aspect);
+    def.height = (float)exhibit->sheet.cells / def.width;
+    def.kind = (enum arrangement_kind)in_turn(attract, attract->kinds, ARRANGED_KINDS, number);
+    compose(&attract->performance, &def, &attract->dice);
+}
+
+static bool begin_recorded(struct attract *attract, const struct script *scene, int number)
+{
+    const struct exhibit *exhibit = attract->exhibit;
+    const struct script *session =
+        exhibit->recorded[in_turn(attract, attract->recorded, exhibit->session_count, number)];
+    if (session) {
+        struct vary_def def = {.inks = scene->ink_count, .cells = exhibit->sheet.cells, .rate = rate_of(attract)};
+        def.ticks = (int64_t)(exhibit->visit.attract * (float)def.rate);
+        vary(&attract->performance, session, &def, &attract->dice);
+    }
+    return session;
+}
+
 void attract_begin(struct attract *attract, int scene, float aspect)
 {
     const struct exhibit *exhibit = attract->exhibit;
     const struct script *script = exhibit->scenes[scene].script;
-    int number = attract->begun++;
-    /* Every third is a recorded one, where there are any. */
-    bool recorded = exhibit->session_count > 0 && number % 3 == 2;
+    int number = attract->begun++, recorded = exhibit->session_count > 0 ? number / EVERY : 0;
     attract->next = 0;
-    int rate = exhibit->sheet.rate > 0 ? exhibit->sheet.rate : STUDIO_TICKS_PER_SECOND;
-    int64_t ticks = (int64_t)(exhibit->visit.attract * (float)rate);
-    if (recorded) {
-        const struct script *session =
-            exhibit->recorded[in_turn(attract, attract->recorded, exhibit->session_count, number / 3)];
-        vary(&attract->performance, session, script->ink_count, ticks, &attract->dice);
-        return;
+    if (exhibit->session_count == 0 || number % EVERY != EVERY - 1 || !begin_recorded(attract, script, recorded)) {
+        begin_generated(attract, script, aspect, number - recorded);
     }
-    struct compose_def def = {.ink_count = script->ink_count, .ticks = ticks, .rate = rate};
-    for (int i = 0; i < script->ink_count; i++) {
-        def.inks[i] = script->inks[i];
-    }
-    def.width = sqrtf((float)exhibit->sheet.cells * aspect);
-    def.height = (float)exhibit->sheet.cells / def.width;
-    int generated = exhibit->session_count > 0 ? number - number / 3 : number;
-    def.kind = (enum arrangement_kind)in_turn(attract, attract->kinds, ARRANGED_KINDS, generated);
-    compose(&attract->performance, &def, &attract->dice);
 }
 
 bool attract_action(struct attract *attract, int64_t tick, struct action *action)
@@ -114,8 +133,7 @@ bool attract_over(const struct attract *attract, int64_t tick)
 
 bool attract_hand(const struct attract *attract, int64_t tick, struct point *at, float *pressed)
 {
-    int rate = attract->exhibit->sheet.rate > 0 ? attract->exhibit->sheet.rate : STUDIO_TICKS_PER_SECOND;
-    return performance_hand(&attract->performance, attract->next, tick, rate, at, pressed);
+    return performance_hand(&attract->performance, attract->next, tick, rate_of(attract), at, pressed);
 }
 
 uint64_t attract_fingerprint(const struct attract *attract)

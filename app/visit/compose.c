@@ -10,8 +10,8 @@ static const float PI = 3.14159265f;
 static const float DROP_RADIUS = 9; /* cells; what a ragged drop of it has grown to at once is FIRST_RADIUS */
 static const float FIRST_RADIUS = 11;
 
-static const float SPLASH_ROOM = 14;        /* cells around a bead */
-static const float LONGEST_STRETCH = 0.95f; /* of the time that a bloom takes, until the next begins */
+static const float SPLASH_ROOM = 14, SPLASH_REACH = 36; /* cells around a bead */
+static const float LONGEST_STRETCH = 0.95f;             /* of the time that a bloom takes, until the next begins */
 
 enum { SEGMENTS = 4, REST_S = 4 };
 
@@ -78,6 +78,13 @@ static float share_of_size(const struct bloom *bloom)
     return share * share;
 }
 
+/* Arms along a sweep come on faster than others, and go farther. */
+static bool is_swept(const struct composer *composer)
+{
+    enum arrangement_kind kind = composer->def->kind;
+    return kind == ARRANGED_GARLAND || kind == ARRANGED_WINDOW || kind == ARRANGED_REEF || kind == ARRANGED_MOON;
+}
+
 static void post_drop(struct composer *composer, const struct bloom *bloom, int ink, int64_t tick)
 {
     struct action drop = action_default(ACTION_DROP);
@@ -85,26 +92,12 @@ static void post_drop(struct composer *composer, const struct bloom *bloom, int 
     drop.has_at = true;
     drop.ink = ink;
     drop.radius = drop_radius(bloom) * dice_between(composer->dice, 0.9f, 1.1f);
-    drop.solvent = 12 + 0.6f * share_of_size(bloom);
-    drop.amount = 15 + 0.62f * share_of_size(bloom);
+    drop.solvent = 2 + 0.15f * share_of_size(bloom); /* it starves at about that size, slowly */
+    drop.amount = 15 + (is_swept(composer) ? 0.8f : 0.62f) * share_of_size(bloom);
     drop.edge = EDGE_RAGGED;
     drop.brush = bloom->brush;
     drop.reach = fminf(2.2f * bloom->r + 30, 1024); /* what is swept goes farther than it would */
     post(composer, &drop, tick, (int)seconds(composer, 0.12f));
-}
-
-/* Its growth ends, and ink settles into the tips. */
-static void post_end(struct composer *composer, const struct bloom *bloom, int64_t tick)
-{
-    struct action set = action_default(ACTION_SET);
-    while (&coefficient_keys[set.coefficient] != key_find(coefficient_keys, "s_max")) {
-        set.coefficient++;
-    }
-    set.at = place(composer, bloom->x, bloom->y);
-    set.has_at = true;
-    set.value = 0;
-    set.radius = fminf(2.0f * bloom->r, 512);
-    post(composer, &set, tick, -1);
 }
 
 static struct performance_step *post_ink(struct composer *composer, const struct bloom *bloom, int ink, float share,
@@ -203,9 +196,6 @@ static void post_bloom(struct composer *composer, int i)
         post_pull(composer, bloom, start + (int64_t)(0.5f * (float)takes));
         spare(post_ink(composer, bloom, inks.third, 0.5f * share, start + (int64_t)(0.72f * (float)takes)));
     }
-    if (composer->grown[i] + seconds(composer, REST_S) < composer->end) { /* the last ones go on until all is washed */
-        post_end(composer, bloom, composer->grown[i]);
-    }
 }
 
 static void post_sweep(struct composer *composer, const struct sweep *sweep)
@@ -233,13 +223,15 @@ static void post_sweep(struct composer *composer, const struct sweep *sweep)
 static void post_splash(struct composer *composer, float x, float y, int64_t tick)
 {
     struct dice *dice = composer->dice;
-    int ink = harmony_any(&composer->harmony, dice);
+    int ink = harmony_any(&composer->harmony, dice), brush = brush_find(dice_chance(dice, 0.5f) ? "lichen" : "coral");
     float radius = dice_between(dice, 1.3f, 2.2f);
     for (int i = 0, count = 1 + dice_of(dice, 3); i < count; i++) {
         struct action drop = action_default(ACTION_DROP);
         drop.at = place(composer, x, y);
         drop.has_at = true;
         drop.ink = ink;
+        drop.brush = brush;
+        drop.reach = SPLASH_REACH;
         drop.radius = radius;
         drop.solvent = 7;
         drop.amount = 40;

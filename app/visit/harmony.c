@@ -42,15 +42,15 @@ static float colour_of(int one, int other, float *hue)
     return hypotf(x, y);
 }
 
-void harmony_init(struct harmony *harmony, const int *of, int count, struct dice *dice)
+void harmony_init(struct harmony *harmony, const int *indices, int count, struct dice *dice)
 {
     *harmony = (struct harmony){.count = count};
     int coloured[PAINTING_INKS], coloured_count = 0;
     for (int i = 0; i < count; i++) {
-        harmony->colour[i] = colour_of(of[i], of[i], &harmony->hue[i]);
+        harmony->colour[i] = colour_of(indices[i], indices[i], &harmony->hue[i]);
         for (int j = 0; j < count; j++) {
             float hue;
-            harmony->mixed[i][j] = colour_of(of[i], of[j], &hue);
+            harmony->mixed[i][j] = colour_of(indices[i], indices[j], &hue);
         }
         if (harmony->colour[i] >= GREY) {
             coloured[coloured_count++] = i;

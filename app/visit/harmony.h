@@ -18,8 +18,8 @@ struct harmony_pair {
     float share;              /* of the second, beside the first: 0..1 */
 };
 
-/* `inks`: indices as of ink_find(); 1..PAINTING_INKS of them. */
-void harmony_init(struct harmony *harmony, const int *inks, int count, struct dice *dice);
+/* `indices`: of the scene's inks, as of ink_find(); 1..PAINTING_INKS of them. */
+void harmony_init(struct harmony *harmony, const int *indices, int count, struct dice *dice);
 /* For the bloom of that number; `weight`: 1 for the one that leads. */
 struct harmony_pair harmony_choose(const struct harmony *harmony, float weight, int number, struct dice *dice);
 int harmony_any(const struct harmony *harmony, struct dice *dice);

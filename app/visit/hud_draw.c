@@ -76,8 +76,8 @@ static bool fit_label(const struct board *board, struct pen_words *words, double
                       double least)
 {
     const struct pen *pen = board->pen;
-    for (double squeeze = 1; squeeze > least; squeeze -= 0.05) {
-        double width, height;
+    for (int step = 0; 1 - 0.05 * step > least; step++) {
+        double width, height, squeeze = 1 - 0.05 * step;
         words->width = room / squeeze;
         if (pen_measure(pen, words, &width, &height) <= lines && width * squeeze <= room) {
             cairo_save(pen->cairo);
@@ -183,10 +183,11 @@ static void draw_button(const struct board *board, int index)
     const struct pen *pen = board->pen;
     const struct hud_button *button = &board->panel->buttons[index];
     double x = (double)button->x - board->left, y = (double)button->y - board->top;
-    double side = (double)fmaxf(board->hud->def.exhibit->palette.target, HUD_TARGET) * board->mm;
-    double label = (double)button->height - ceil(side);
+    int lines = board->panel->labels;
+    double label = lines > 0 ? ceil((double)(HUD_LABEL + (float)(lines - 1) * HUD_LINE) * board->mm) : 0;
+    double side = fmin((double)button->width, (double)button->height - label);
     bool chosen = button->kind != HUD_INK && is_chosen(board->hud, board->panel, button);
-    bool plain = board->panel->labels > 0 && button->kind == HUD_INK; /* no word under it: it takes all the room */
+    bool plain = lines > 0 && button->kind == HUD_INK; /* no word under it: it takes all the room */
     double middle = x + 0.5 * (double)button->width, across = y + 0.5 * (plain ? side + label : side);
     struct hud_icon_style style = {.line = chosen ? pen_paper : pen_dark, .ground = chosen ? pen_dark : pen_paper};
     style.wet = wet_of(board, chosen);
@@ -210,7 +211,7 @@ static void draw_button(const struct board *board, int index)
     if (button->kind == HUD_LANGUAGE) {
         draw_letters(board, button, middle, across, 0.41 * side);
     }
-    if (board->panel->labels > 0) {
+    if (lines > 0) {
         pen_set(pen, style.line, 1);
         draw_label(board, button, middle, y + 0.97 * side);
     }

@@ -1,5 +1,10 @@
 /* What a visitor and the staff see beside the painting, drawn by Cairo and Pango: pieces of RGBA, each drawn again only
- * when it changes. */
+ * when it changes.
+ *
+ *     if (hud_draw_panel(&hud, 0, &image)) { upload(image.rgba, image.width, image.height); }
+ *     blend(image.x, image.y, hud_opacity(&hud, 0, now_us));
+ *
+ * An image is owned by who holds it; a copy of the hud may be drawn by another thread. */
 #ifndef FROND_HUD_DRAW_H
 #define FROND_HUD_DRAW_H
 
@@ -14,12 +19,15 @@ struct hud_image {
     int width, height; /* pixels; 0 while there is nothing to show */
     int x, y;          /* pixels of the sheet: where its top left belongs. A cursor's middle belongs at its point */
     uint64_t key;      /* of what it shows: another one, and it is drawn again */
+    void *ground;      /* what stays while the rest moves; owned, private to those who draw */
+    uint64_t ground_key;
 };
 
 void hud_image_finish(struct hud_image *image); /* takes a zeroed one, and leaves one */
 /* Each draws only when `image->key` is not that of what is to be seen, and says whether it has. When memory is short it
- * leaves the image as it is, and tries again the next time. Sizes follow from the hud's pixels a mm. One of some
- * hundred pixels a side takes milliseconds; a thread may draw any of them as long as nothing changes the hud. */
+ * leaves the image as it is, and tries again the next time. Sizes follow from the hud's pixels a mm. At 1920x1080
+ * on a desktop processor a panel takes 10 ms, a phase of the legend 5, a step of the countdown 5, a cursor 0.2; what
+ * has not changed, microseconds. */
 bool hud_draw_panel(const struct hud *hud, int panel, struct hud_image *image);
 /* The legend of attract, which needs no reading: a finger that touches, rings, ink that branches; `phase` of its loop,
  * 0..HUD_PHASES - 1, of about five seconds in all; under it the invitation in the language. */

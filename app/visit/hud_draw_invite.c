@@ -17,9 +17,15 @@ static double along(double phase, double from, double to)
     return share * share * (3 - 2 * share);
 }
 
+enum { SEGMENTS = 4096, AGES = 8 };
+
 struct frost {
-    const struct pen *pen;
-    struct pen_colour thick, thin;
+    struct segment {
+        float x, y, to_x, to_y; /* pixels */
+        float width;
+        int age; /* of AGES */
+    } segments[SEGMENTS];
+    int count;
     double reach, size; /* how far it has grown, how far it will; pixels */
     unsigned seed;
 };
@@ -27,18 +33,19 @@ struct frost {
 /* A branch from x, y, which is `from` pixels from the first drop as it grew; smaller ones leave it on both sides. */
 static void grow(struct frost *frost, double x, double y, double angle, double length, double from, int order)
 {
-    static const int STEPS[] = {14, 7, 4};
+    static const int STEPS[] = {14, 7, 3};
     static const double WIDTH[] = {0.062, 0.045, 0.034}, SHARE[] = {0.5, 0.42};
     double step = length / STEPS[order];
-    for (int i = 0; i < STEPS[order] && from + i * step < frost->reach; i++) {
+    for (int i = 0; i < STEPS[order] && from + i * step < frost->reach && frost->count < SEGMENTS; i++) {
         double part = fmin(1, (frost->reach - from - i * step) / step), share = (double)i / STEPS[order];
         angle += 0.24 * (pen_chance(frost->seed, 1) - 0.5);
         double next_x = x + part * step * cos(angle), next_y = y + part * step * sin(angle);
-        pen_set(frost->pen, pen_between(frost->thick, frost->thin, fmin(1, (from + i * step) / frost->size)), 1);
-        cairo_set_line_width(frost->pen->cairo, frost->size * WIDTH[order] * (1 - 0.5 * share));
-        cairo_move_to(frost->pen->cairo, x, y);
-        cairo_line_to(frost->pen->cairo, next_x, next_y);
-        cairo_stroke(frost->pen->cairo);
+        frost->segments[frost->count++] = (struct segment){(float)x,
+                                                           (float)y,
+                                                           (float)next_x,
+                                                           (float)next_y,
+                                                           (float)(frost->size * WIDTH[order] * (1 - 0.5 * share)),
+                                                           (int)fmin((from + i * step) / frost->size * AGES, AGES - 1)};
         frost->seed++;
         x = next_x;
         y = next_y;
@@ -54,17 +61,45 @@ static void grow(struct frost *frost, double x, double y, double angle, double l
     }
 }
 
+/* A needle with pointed ends. */
+static void add_needle(cairo_t *cairo, const struct segment *segment)
+{
+    double x = (double)segment->x, y = (double)segment->y, to_x = (double)segment->to_x, to_y = (double)segment->to_y;
+    double length = fmax(hypot(to_x - x, to_y - y), 1e-6), half = 0.5 * (double)segment->width;
+    double ux = half * (to_x - x) / length, uy = half * (to_y - y) / length;
+    cairo_move_to(cairo, x - ux, y - uy);
+    cairo_line_to(cairo, x + uy, y - ux);
+    cairo_line_to(cairo, to_x + uy, to_y - ux);
+    cairo_line_to(cairo, to_x + ux, to_y + uy);
+    cairo_line_to(cairo, to_x - uy, to_y + ux);
+    cairo_line_to(cairo, x - uy, y + ux);
+    cairo_close_path(cairo);
+}
+
+/* All of one age at once: a stroke each would take several times as long. */
+static void fill_all(const struct pen *pen, const struct frost *frost, struct pen_colour thick, struct pen_colour thin)
+{
+    for (int age = AGES - 1; age >= 0; age--) {
+        for (int i = 0; i < frost->count; i++) {
+            if (frost->segments[i].age == age) {
+                add_needle(pen->cairo, &frost->segments[i]);
+            }
+        }
+        pen_set(pen, pen_between(thick, thin, (age + 0.5) / AGES), 1);
+        cairo_fill(pen->cairo);
+    }
+}
+
 static void draw_frost(const struct hud *hud, const struct pen *pen, double x, double y, double size, double share)
 {
     enum { ARMS = 8 };
-    struct frost frost = {.pen = pen, .size = size, .reach = 1.1 * size * share};
-    frost.thick = hud_ink_colour(hud, 0, 1.7);
-    frost.thin = hud_ink_colour(hud, 0, 0.45);
-    for (int order = 0; order < ARMS && share > 0; order++) {
-        frost.seed = 902 + 17 * (unsigned)order;
-        double angle = 2 * G_PI * (order + 0.5 * (pen_chance(frost.seed, 0) - 0.5)) / ARMS;
+    struct frost frost = {.size = size, .reach = 1.1 * size * share};
+    for (int arm = 0; arm < ARMS && share > 0; arm++) {
+        frost.seed = 902 + 17 * (unsigned)arm;
+        double angle = 2 * G_PI * (arm + 0.5 * (pen_chance(frost.seed, 0) - 0.5)) / ARMS;
         grow(&frost, x, y, angle, size * (0.78 + 0.25 * pen_chance(frost.seed, 9)), 0, 0);
     }
+    fill_all(pen, &frost, hud_ink_colour(hud, 0, 1.7), hud_ink_colour(hud, 0, 0.45));
 }
 
 static void draw_rings(const struct pen *pen, double phase, double x, double y, double unit)
@@ -134,25 +169,48 @@ static void draw_phase(const struct hud *hud, const struct pen *pen, double phas
     }
 }
 
+/* Light and words, which stay while the picture moves: kept in the image. False when memory is short. */
+static bool lay_ground(struct hud_image *image, uint64_t key, const struct pen_words *words, int width, int height,
+                       double middle)
+{
+    struct pen pen;
+    if (image->ground && image->ground_key == key) {
+        return true;
+    }
+    if (!pen_open(&pen, width, height)) {
+        return false;
+    }
+    draw_glow(&pen, width, height);
+    pen_write_haloed(&pen, words, 0.5 * width, middle);
+    cairo_surface_destroy(image->ground);
+    image->ground = cairo_surface_reference(pen.surface);
+    image->ground_key = key;
+    pen_close(&pen, NULL);
+    return true;
+}
+
 bool hud_draw_invite(const struct hud *hud, int phase, struct hud_image *image)
 {
     struct pen pen;
-    double unit = hud_unit(hud), mm = (double)hud->mm;
+    double unit = hud_unit(hud), mm = (double)hud->mm, wide, high;
     struct pen_words words = {.text = hud_text(hud, TEXT_INVITE), .tag = hud_tag(hud->language), .bold = true};
-    words.size = fmax(6 * mm, 13 * unit);
-    uint64_t key = pen_hash_text(pen_hash_int(hud_key(hud, PIECE_INVITE), phase), words.text);
     int width = (int)fmin(ceil(210 * unit), hud->def.width), height = (int)fmin(ceil(176 * unit), hud->def.height);
+    words.size = fmax(6 * mm, 13 * unit);
     words.width = 0.8 * width;
+    uint64_t ground = pen_hash_text(hud_key(hud, PIECE_INVITE), words.text), key = pen_hash_int(ground, phase);
     if (!hud_image_begin(image, key, width, height, &pen)) {
         return false;
     }
-    double wide, high;
-    pen_measure(&pen, &words, &wide, &high);
-    draw_glow(&pen, width, height);
     /* Picture and words together are in the middle. */
-    double gap = 3 * unit, all = 2 * SIZE * unit + gap + high, top = 0.5 * (height - all);
+    pen_measure(&pen, &words, &wide, &high);
+    double gap = 3 * unit, top = 0.5 * (height - (2 * SIZE * unit + gap + high));
+    if (!lay_ground(image, ground, &words, width, height, top + 2 * SIZE * unit + gap + 0.5 * high)) {
+        pen_close(&pen, NULL);
+        return false;
+    }
+    cairo_set_source_surface(pen.cairo, image->ground, 0, 0);
+    cairo_paint(pen.cairo);
     draw_phase(hud, &pen, phase, 0.5 * width, top + SIZE * unit, unit);
-    pen_write_haloed(&pen, &words, 0.5 * width, top + 2 * SIZE * unit + gap + 0.5 * high);
     int x = (hud->def.width - width) / 2;
     int y = (int)fmin(0.58 * hud->def.height - 0.5 * height, hud->def.height - height);
     return hud_image_end(image, key, x, y > 0 ? y : 0, &pen);

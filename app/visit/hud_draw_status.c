@@ -61,7 +61,8 @@ static void draw_lines(const struct pen *pen, const struct table *table, const s
 {
     double pair = field->width / field->pairs, name = fmin(0.36 * pair, 7.5 * field->line);
     for (int i = 0; i < table->count; i++) {
-        double x = field->x + i / field->rows * pair, y = field->y + (i % field->rows + 0.5) * field->line;
+        int column = i / field->rows;
+        double x = field->x + column * pair, y = field->y + (i % field->rows + 0.5) * field->line;
         struct pen_words words = {.text = table->names[i], .tag = "en", .size = 0.56 * field->line};
         pen_set(pen, pen_dark, 0.66);
         pen_write_cut(pen, &words, x, y, name - 0.3 * field->line);

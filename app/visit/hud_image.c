@@ -11,6 +11,7 @@
 void hud_image_finish(struct hud_image *image)
 {
     free(image->rgba);
+    cairo_surface_destroy(image->ground);
     *image = (struct hud_image){.rgba = NULL};
 }
 
@@ -45,7 +46,7 @@ bool hud_image_end(struct hud_image *image, uint64_t key, int x, int y, struct p
     if (rgba != image->rgba) {
         free(image->rgba);
     }
-    *image = (struct hud_image){rgba, width, height, x, y, key};
+    *image = (struct hud_image){rgba, width, height, x, y, key, image->ground, image->ground_key};
     return true;
 }
 

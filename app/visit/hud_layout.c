@@ -27,6 +27,7 @@ struct bounds {
 struct grid {
     bool labelled, grouped;
     int labels;          /* lines of words */
+    float target;        /* mm */
     int lines, rows;     /* across, along the strip */
     float width, height; /* of a button */
     float gap, along;    /* gap; the strip's length without its padding */
@@ -222,7 +223,7 @@ static struct bounds of_sheet(const struct hud *hud, const float zone[4])
 /* Whether at least one row of buttons finds room. */
 static bool roomy(const struct hud *hud, struct bounds bounds)
 {
-    float least = (hud->def.exhibit->palette.target + 2 * (HUD_PAD + HUD_EDGE)) * hud->mm;
+    float least = (HUD_TARGET + 2 * (HUD_PAD + HUD_EDGE)) * hud->mm + 6; /* each of them rounded up */
     return bounds.right - bounds.left >= least && bounds.bottom - bounds.top >= least;
 }
 
@@ -247,7 +248,7 @@ static struct bounds reach(const struct hud *hud, struct bounds zone)
         return near;
     }
     /* As near as can be: the lower end of what hangs too high, the upper end of what stands too low. */
-    float least = (hud->def.exhibit->palette.target + 2 * (HUD_PAD + HUD_EDGE)) * mm + 1;
+    float least = (HUD_TARGET + 2 * (HUD_PAD + HUD_EDGE)) * mm + 6;
     near = zone;
     if (height - (REACH_HIGH - display->floor) * mm > 0.5f * (zone.top + zone.bottom)) {
         near.top = fmaxf(zone.top, zone.bottom - 2 * least);
@@ -291,7 +292,7 @@ static bool size_grid(const struct hud *hud, int panel, const struct list *list,
 {
     const struct hud_panel *of = &hud->panels[panel];
     bool lies = of->side == SIDE_OF_BOTTOM;
-    float mm = hud->mm, target = ceilf(fmaxf(hud->def.exhibit->palette.target, HUD_TARGET) * mm);
+    float mm = hud->mm, target = ceilf(grid->target * mm);
     int borders = 0;
     grid->gap = ceilf(HUD_GAP * mm);
     grid->width = grid->height = target;
@@ -367,12 +368,14 @@ static void place_strip(struct hud *hud, int panel, const struct grid *grid, con
 
 /* The first of the grids, by preference, that a list fits in. */
 static bool find_grid(const struct hud *hud, int panel, const struct list *list, const struct bounds *bounds,
-                      bool labels, int lines, struct grid *grid)
+                      struct grid wanted, int lines, struct grid *grid)
 {
     for (int line = 1; line <= lines; line++) {
         for (int grouped = 1; grouped >= 0; grouped--) {
-            *grid = (struct grid){.labelled = labels, .grouped = grouped, .lines = line};
-            if (size_grid(hud, panel, list, bounds, labels ? LABELLED_SHARE : SHARE, grid)) {
+            *grid = wanted;
+            grid->grouped = grouped;
+            grid->lines = line;
+            if (size_grid(hud, panel, list, bounds, wanted.labelled ? LABELLED_SHARE : SHARE, grid)) {
                 return true;
             }
         }
@@ -380,17 +383,51 @@ static bool find_grid(const struct hud *hud, int panel, const struct list *list,
     return false;
 }
 
-/* Where even the folded list finds no room: as many lines as it takes, then less of it. */
-static void squeeze(const struct hud *hud, int panel, const struct bounds *bounds, struct list *list, struct grid *grid)
+/* What a panel shows, folded so far. */
+static struct list list_of(const struct hud *hud, int panel, int folds)
 {
-    for (; list->count > 0; list->count--) {
+    return hud->panels[panel].open >= 0 ? list_open(hud, panel) : list_all(hud, panel, folds);
+}
+
+/* With words, without, then folded more and more; then with buttons that are smaller than the curator wants. */
+static bool find_list(const struct hud *hud, int panel, const struct bounds *bounds, struct list *list,
+                      struct grid *grid)
+{
+    int lines = hud->panels[panel].open >= 0 ? 3 : 2;
+    struct grid wanted = {.labelled = true, .target = fmaxf(hud->def.exhibit->palette.target, HUD_TARGET)};
+    *list = list_of(hud, panel, 0);
+    if (find_grid(hud, panel, list, bounds, wanted, 2, grid)) {
+        return true;
+    }
+    wanted.labelled = false;
+    for (;;) {
+        for (int folds = 0; folds < FOLDS; folds++) {
+            *list = list_of(hud, panel, folds);
+            if (find_grid(hud, panel, list, bounds, wanted, lines, grid)) {
+                return true;
+            }
+        }
+        if (wanted.target <= HUD_TARGET) {
+            return false;
+        }
+        wanted.target = fmaxf(0.9f * wanted.target, HUD_TARGET);
+    }
+}
+
+/* Where even the folded list finds no room in its share: as many lines as it takes, and so many buttons left out at
+ * most. */
+static bool squeeze(const struct hud *hud, int panel, const struct bounds *bounds, int most_left_out, struct list *list,
+                    struct grid *grid)
+{
+    for (int left_out = 0; left_out <= most_left_out && list->count > 0; left_out++, list->count--) {
         for (int lines = 1; lines <= list->count; lines++) {
-            *grid = (struct grid){.lines = lines};
+            *grid = (struct grid){.lines = lines, .target = HUD_TARGET};
             if (size_grid(hud, panel, list, bounds, 1, grid)) {
-                return;
+                return true;
             }
         }
     }
+    return false;
 }
 
 static int side_of(const struct hud *hud, int panel)
@@ -412,15 +449,13 @@ void hud_layout_panel(struct hud *hud, int panel)
         return;
     }
     struct bounds bounds = bounds_of(hud, panel);
-    struct list list = of->open >= 0 ? list_open(hud, panel) : list_all(hud, panel, 0);
+    struct list list;
     struct grid grid;
-    bool found = find_grid(hud, panel, &list, &bounds, true, 2, &grid);
-    for (int folds = 0; !found && folds < FOLDS; folds++) {
-        list = of->open >= 0 ? list_open(hud, panel) : list_all(hud, panel, folds);
-        found = find_grid(hud, panel, &list, &bounds, false, of->open >= 0 ? 3 : 2, &grid);
-    }
-    if (!found) {
-        squeeze(hud, panel, &bounds, &list, &grid);
+    if (!find_list(hud, panel, &bounds, &list, &grid) && !squeeze(hud, panel, &bounds, 0, &list, &grid)) {
+        bounds = of_sheet(hud, hud->def.exhibit->seats[panel].zone); /* out of reach is better than not there */
+        if (!find_list(hud, panel, &bounds, &list, &grid)) {
+            squeeze(hud, panel, &bounds, HUD_BUTTONS, &list, &grid);
+        }
     }
     if (list.count > 0) {
         place_strip(hud, panel, &grid, &bounds);

@@ -39,7 +39,13 @@ struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us)
     kiosk->attract = attract;
     kiosk->hours.open = true;
     kiosk->sheet = def->stage.sheet(def->stage.context).number;
-    visit_init(&kiosk->visit, kiosk->exhibit, now_us);
+    if (def->resume) {
+        kiosk->scene = def->scene;
+        kiosk->grounded = true;
+        visit_resume(&kiosk->visit, kiosk->exhibit, now_us);
+    } else {
+        visit_init(&kiosk->visit, kiosk->exhibit, now_us);
+    }
     kiosk_layout(kiosk);
     hud_reset(&kiosk->hud);
     return kiosk;
@@ -62,7 +68,7 @@ void kiosk_destroy(struct kiosk *kiosk)
 static void choose_again(struct kiosk *kiosk)
 {
     for (int i = 0; kiosk->controls && i < kiosk->hud.count; i++) {
-        controls_set_tool(kiosk->controls, i, kiosk->hud.panels[i].tool);
+        controls_set_tool(kiosk->controls, i, (enum exhibit_tool)kiosk->hud.panels[i].tool);
         controls_set_ink(kiosk->controls, i, kiosk->hud.panels[i].ink);
     }
 }
@@ -243,7 +249,7 @@ static void keep_hours(struct kiosk *kiosk, uint64_t now_us, time_t time)
     }
     kiosk->time = time;
     kiosk->hours = schedule_at(kiosk->exhibit, time, kiosk->def.built);
-    visit_feel(&kiosk->visit, kiosk->hours.open ? VISIT_OPEN : VISIT_CLOSE, now_us);
+    visit_feel(&kiosk->visit, kiosk->hours.open || kiosk->def.open ? VISIT_OPEN : VISIT_CLOSE, now_us);
 }
 
 static void tell_status(struct kiosk *kiosk, uint64_t now_us)
@@ -318,6 +324,9 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     visit_reload(&kiosk->visit, exhibit, now_us);
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk_scene(kiosk)->script);
     kiosk_obey(kiosk, now_us);
+    if (kiosk->attracting) { /* what paints itself begins anew; what a visitor has painted stays */
+        fresh_sheet(kiosk);
+    }
     return old;
 }
 
@@ -358,6 +367,11 @@ bool kiosk_leaves(const struct kiosk *kiosk)
 const char *kiosk_state(const struct kiosk *kiosk)
 {
     return visit_state_name(kiosk->visit.state);
+}
+
+bool kiosk_is_visited(const struct kiosk *kiosk)
+{
+    return kiosk->visit.painted && kiosk->visit.state != VISIT_ATTRACT && kiosk->visit.state != VISIT_CLOSED;
 }
 
 uint32_t kiosk_visits(const struct kiosk *kiosk)

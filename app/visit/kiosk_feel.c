@@ -4,12 +4,10 @@
 
 enum {
     CURSORS = 16,
-    CURSOR_ID = 1 << 24,  /* beyond all fingers */
-    SYNTHETIC_SLOT = 900, /* fingers of dwelling and of the switch: beyond all real slots */
+    CURSOR_ID = 1 << 24, /* beyond all fingers */
 };
 
 static const float AXIS_MOVES = 0.1f; /* of its way: less is drift */
-static const float STROKE = 0.004f;   /* of the sheet: what a drop by another tool than drops is drawn along */
 
 static bool axis_moved(struct kiosk *kiosk, const struct event *event)
 {
@@ -51,6 +49,14 @@ bool kiosk_is_input(struct kiosk *kiosk, const struct event *event)
 static bool is_finger(const struct event *event)
 {
     return event->kind >= EVENT_DOWN && event->kind <= EVENT_CANCEL;
+}
+
+/* What ends something, or tells who is there, and so is heard in the dark as well. */
+static bool is_end(const struct event *event)
+{
+    bool up = event->kind == EVENT_UP || event->kind == EVENT_CANCEL || event->kind == EVENT_LEFT;
+    return up || event->kind == EVENT_STANDING ||
+           (event->kind == EVENT_CONTROL && !event->relative && !(fabsf(event->value) > 0));
 }
 
 /* The room is closed: a touch wakes the screen where the exhibit says so, and does nothing else. */
@@ -115,7 +121,7 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
     bool pressed = false;
     if (kiosk->dark) {
         feel_dark(kiosk, event, now_us);
-        return false;
+        return is_end(event);
     }
     if (!swallow_pass(&kiosk->swallow, event)) {
         return false;
@@ -165,7 +171,7 @@ static void post_verb(struct kiosk *kiosk, enum action_verb verb, int visitor, u
 static void choose(struct kiosk *kiosk, int seat)
 {
     if (kiosk->controls) {
-        controls_set_tool(kiosk->controls, seat, kiosk->hud.panels[seat].tool);
+        controls_set_tool(kiosk->controls, seat, (enum exhibit_tool)kiosk->hud.panels[seat].tool);
         controls_set_ink(kiosk->controls, seat, kiosk->hud.panels[seat].ink);
     }
 }
@@ -249,27 +255,20 @@ void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
         hud_layout(&kiosk->hud);
         break;
     case WISH_SWITCH:
-        access_switch(&kiosk->access, wish->down, buttons_of(kiosk), now_us);
+        access_switch(&kiosk->access, wish->down, buttons_of(kiosk), wish->time_us);
         break;
     case WISHES:
         break;
     }
 }
 
-/* A drop of a point that has rested, or of the switch: as if a finger had come down there. */
-static void tap(struct kiosk *kiosk, float x, float y, uint64_t now_us)
+/* A drop of a point that has rested, or of the switch. */
+static void tap(struct kiosk *kiosk, const struct access_result *result)
 {
-    struct event event = {
-        .kind = EVENT_DOWN, .source = SOURCE_TOUCH, .slot = SYNTHETIC_SLOT, .x = x, .y = y, .time_us = now_us};
-    if (!kiosk->controls) {
-        return;
+    int visitor = result->id >= CURSOR_ID ? result->id - CURSOR_ID : 0;
+    if (kiosk->controls) {
+        controls_tap(kiosk->controls, visitor, (struct point){result->x, result->y}, result->time_us);
     }
-    controls_feel(kiosk->controls, &event);
-    event.kind = EVENT_MOVE;
-    event.x = x + STROKE;
-    controls_feel(kiosk->controls, &event);
-    event.kind = EVENT_UP;
-    controls_feel(kiosk->controls, &event);
 }
 
 /* Points of controllers may dwell as well. */
@@ -294,7 +293,7 @@ void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us)
     while ((result = access_run(&kiosk->access, now_us)).what != ACCESS_NOTHING) {
         visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
         if (result.what == ACCESS_DROP) {
-            tap(kiosk, result.x, result.y, now_us);
+            tap(kiosk, &result);
         } else if (result.button >= 0 && result.button < buttons_of(kiosk)) {
             struct hud_press press;
             if (hud_press(&kiosk->hud, 0, result.button, now_us, &press)) {

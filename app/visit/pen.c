@@ -76,7 +76,7 @@ struct pen_colour pen_between(struct pen_colour from, struct pen_colour to, doub
 
 struct pen_colour pen_ink(int ink, int mixing, double thickness)
 {
-    const int mixed[INK_PALETTE] = {ink, INK_NONE, INK_NONE, INK_NONE};
+    const int mixed[INK_PALETTE] = {ink, ink, ink, ink}; /* of the others there is nothing */
     const float thick[INK_PALETTE] = {(float)thickness};
     float rgb[3];
     if (mixing == INK_CMY) {

@@ -157,9 +157,8 @@ bool performance_hand(const struct performance *performance, int next, int64_t t
     if (left >= glide && comes >= glide) {
         return false;
     }
-    float rising = left < glide / 3 ? 1 - (float)left / (float)(glide / 3) : 0;
-    float falling = comes < glide / 3 ? 1 - (float)comes / (float)(glide / 3) : 0;
-    *pressed = fmaxf(rising, falling);
+    float third = (float)glide / 3; /* of the way, for coming down and rising */
+    *pressed = fmaxf(1 - fminf((float)left, (float)comes) / third, 0);
     if (before && after && after->press - before->action.tick < 2 * (int64_t)glide) { /* from one to the next */
         float way = (float)left / (float)(left + comes);
         *at = between(last_of(before), first_of(after), eased(way));

@@ -91,7 +91,6 @@ struct visit {
     bool status;                            /* the staff's view is up */
     bool closed;                            /* what the schedule said last */
     bool painted;                           /* something is on the sheet that a visitor painted */
-    bool kept;                              /* and it has been kept */
     uint32_t visits;                        /* begun */
     struct visit_order orders[ORDER_KINDS]; /* one of a kind: a later one takes the place of an earlier one */
     int count;
@@ -99,6 +98,8 @@ struct visit {
 
 /* In attract, with the orders for that. */
 void visit_init(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us);
+/* The same, in the middle of a visit that was cut off: there is a painting already. */
+void visit_resume(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us);
 /* Feels VISIT_RELOAD with the times of another exhibit. */
 void visit_reload(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us);
 /* Events out of range are nothing. */

@@ -44,6 +44,7 @@ void figure_rest(struct figure *figure);    /* figure_rest.c */
 void figure_wash(struct figure *figure);    /* figure_wash.c */
 void figure_vision(struct figure *figure);  /* figure_vision.c */
 void figure_attract(struct figure *figure); /* figure_attract.c */
+void figure_history(struct figure *figure); /* figure_history.c */
 void figure_gpu(struct figure *figure);     /* figure_gpu.c */
 void figure_visit(struct figure *figure);   /* figure_visit.c */
 

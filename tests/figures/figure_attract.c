@@ -12,11 +12,11 @@
 
 enum {
     SESSIONS = 12,
-    WIDTH = 264, /* cells */
-    HEIGHT = 165,
+    WIDTH = 240, /* cells */
+    HEIGHT = 150,
     CELLS = WIDTH * HEIGHT,
-    PIXELS = 528,
-    SECONDS = 32,
+    PIXELS = 480,
+    SECONDS = 28,
     RATE = 40,
     WINDOW = 2 * RATE, /* ticks in which something must change */
     BLOCKS_X = 16,
@@ -182,16 +182,16 @@ static void check_sessions(struct figure *figure, const struct seen seen[SESSION
 {
     double most_alike = -1, least_used = 1;
     for (int i = 0; i < SESSIONS; i++) {
-        figure_check(figure, seen[i].covered > 0.07 && seen[i].covered < 0.5,
-                     "session %d covers %.0f %% of the sheet, of 7 to 50", i, 100 * seen[i].covered);
-        figure_check(figure, seen[i].inked > 0.9, "session %d has ink in %.0f %% of that, over 90", i,
+        figure_check(figure, seen[i].covered > 0.07 && seen[i].covered < 0.6,
+                     "session %d covers %.0f %% of the sheet, of 7 to 60", i, 100 * seen[i].covered);
+        figure_check(figure, seen[i].inked > 0.96, "session %d has ink in %.0f %% of that, over 96", i,
                      100 * seen[i].inked);
         figure_check(figure, seen[i].stillest >= 40,
                      "session %d never stands still: %d cells change in the stillest 2 s (number %d), over 40", i,
                      seen[i].stillest, seen[i].stillest_window);
-        figure_check(figure, seen[i].liveliest < CELLS / 14,
+        figure_check(figure, seen[i].liveliest < CELLS / 10,
                      "session %d never bursts: %d cells grow in the liveliest 2 s, under %d", i, seen[i].liveliest,
-                     CELLS / 14);
+                     CELLS / 10);
         for (int j = 0; j < i; j++) {
             most_alike = fmax(most_alike, likeness(&seen[i], &seen[j]));
         }

@@ -11,7 +11,7 @@
 #include "hud_case.h"
 #include "hud_draw.h"
 
-enum { LANGUAGES = 4, QUARTER = 4, GAP = 8 }; /* columns; size of what is kept; pixels between */
+enum { LANGUAGES = 4, QUARTER = 4, GAP = 8, LABEL = 18 }; /* columns; size of what is kept; pixels */
 
 static const struct hud_screen SCREENS[] = {
     {"7 inches", 154, 86, 800, 448, false},
@@ -113,12 +113,28 @@ static void draw_scene(const struct hud_screen *screen, enum scene scene, int la
     hud_image_finish(&image);
 }
 
+/* What is shown, on the sheets that people look at. */
+static void write_labels(cairo_t *cairo, const struct hud_screen *screen, int share)
+{
+    int width = screen->columns / share, height = screen->rows / share;
+    cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_BOLD);
+    cairo_set_font_size(cairo, 12);
+    for (int i = 0; i < LANGUAGES * SCENES; i++) {
+        char text[80];
+        snprintf(text, sizeof text, "%s: %s", words_languages[i % LANGUAGES].tag, SCENE_NAMES[i / LANGUAGES]);
+        int column = i % LANGUAGES, row = i / LANGUAGES;
+        cairo_move_to(cairo, GAP + column * (width + GAP), GAP + LABEL - 5 + row * (height + GAP + LABEL));
+        cairo_set_source_rgb(cairo, 1, 1, 1);
+        cairo_show_text(cairo, text);
+    }
+}
+
 /* A sheet of all scenes and languages at a share of their size. `ground`: the painting; NULL: plain grey. */
 static cairo_surface_t *draw_sheet(const struct hud_screen *screen, cairo_surface_t *ground, int share)
 {
-    int width = screen->columns / share, height = screen->rows / share;
-    cairo_surface_t *sheet =
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, LANGUAGES * (width + GAP) + GAP, SCENES * (height + GAP) + GAP);
+    int width = screen->columns / share, height = screen->rows / share, label = ground ? LABEL : 0;
+    cairo_surface_t *sheet = cairo_image_surface_create(CAIRO_FORMAT_RGB24, LANGUAGES * (width + GAP) + GAP,
+                                                        SCENES * (height + GAP + label) + GAP);
     cairo_surface_t *full = cairo_image_surface_create(CAIRO_FORMAT_RGB24, screen->columns, screen->rows);
     cairo_t *cairo = cairo_create(sheet);
     if (cairo_status(cairo) != CAIRO_STATUS_SUCCESS || cairo_surface_status(full) != CAIRO_STATUS_SUCCESS) {
@@ -142,7 +158,8 @@ static cairo_surface_t *draw_sheet(const struct hud_screen *screen, cairo_surfac
         draw_scene(screen, (enum scene)(i / LANGUAGES), i % LANGUAGES, inner);
         cairo_destroy(inner);
         cairo_save(cairo);
-        cairo_translate(cairo, GAP + i % LANGUAGES * (width + GAP), GAP + i / LANGUAGES * (height + GAP));
+        int column = i % LANGUAGES, row = i / LANGUAGES;
+        cairo_translate(cairo, GAP + column * (width + GAP), GAP + label + row * (height + GAP + label));
         cairo_rectangle(cairo, 0, 0, width, height);
         cairo_clip(cairo);
         cairo_scale(cairo, 1.0 / share, 1.0 / share);
@@ -150,6 +167,9 @@ static cairo_surface_t *draw_sheet(const struct hud_screen *screen, cairo_surfac
         cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_GOOD);
         cairo_paint(cairo);
         cairo_restore(cairo);
+    }
+    if (ground) {
+        write_labels(cairo, screen, share);
     }
     cairo_destroy(cairo);
     cairo_surface_destroy(full);

@@ -37,6 +37,7 @@ static const struct figure_group GROUPS[] = {
     {"visit", "what a visitor sees, in every state, language, hand", figure_visit},
     {"vision", "palettes for colour-blind eyes", figure_vision},
     {"attract", "what the sheet paints by itself", figure_attract},
+    {"history", "undo, redo and the time brush", figure_history},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };

@@ -40,8 +40,8 @@ static void check_binding(const struct inputs *inputs, const struct binding *bin
         const struct key *key = &coefficient_keys[binding->coefficient];
         assert(key->type != KEY_CHOICE && binding->axis.from >= (float)key->min && binding->axis.to <= (float)key->max);
     }
-    assert(binding->what == DO_VERB || binding->what == DO_NEXT_INK ||
-           (binding->axis.dead <= 0.9f && binding->axis.steps >= 1));
+    assert(binding->tool >= 0 && binding->tool < TOOLS);
+    assert(!binding_follows(binding) || (binding->axis.dead <= 0.9f && binding->axis.steps >= 1));
 }
 
 /* Every binding hears something, and whatever comes of it is legal. */
@@ -52,7 +52,8 @@ static void shake(const struct inputs *inputs)
                                                 [BINDING_BUTTON] = SOURCE_GPIO,
                                                 [BINDING_ENCODER] = SOURCE_GPIO,
                                                 [BINDING_KEY] = SOURCE_KEY};
-    struct controls *controls = controls_create(&(struct controls_def){inputs, 2, coefficients_default()});
+    struct controls_def def = {.inputs = inputs, .inks = 2, .coefficients = coefficients_default()};
+    struct controls *controls = controls_create(&def);
     uint64_t time_us = 1000000;
     assert(controls);
     for (int i = 0; i < 4 * inputs->binding_count; i++) {
@@ -82,6 +83,10 @@ static void shake(const struct inputs *inputs)
             assert(action.verb < ACTION_VERBS && action.ink >= 0 && action.ink < INPUTS_BINDINGS);
             assert(isfinite(action.value) && isfinite(action.radius) && action.path.count <= STROKE_POINTS);
         }
+    }
+    struct wish wish;
+    while (controls_wish(controls, &wish)) {
+        assert(wish.kind >= 0 && wish.kind < WISHES && wish.visitor >= 1);
     }
     struct event left = {.kind = EVENT_LEFT, .device = 1, .time_us = time_us};
     for (size_t i = 0; i < sizeof SOURCES / sizeof *SOURCES; i++) {

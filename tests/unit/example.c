@@ -68,7 +68,7 @@ static void add_tables(struct example *example)
         {"keyboards", "inputs.keyboards[]"},
         {"controllers", "inputs.controllers[]"},
         {"map", "inputs.controllers[].map[]"},
-        {"controllers.lamps", "inputs.controllers[].lamps[]"},
+        {"lights", "inputs.controllers[].lights[]"},
         {"gpio", "inputs.gpio"},
         {"buttons", "inputs.gpio.buttons[]"},
         {"encoders", "inputs.gpio.encoders[]"},

@@ -18,7 +18,9 @@ enum {
     SECOND = 1000000,
     MOMENT = 50000, /* us: transitions this near to one another are one */
 };
-#define RED_STEP  0.2f /* of u' (CIE 1976), on which red is farthest from white */
+/* A fifth of the CIE 1976 chromaticity diagram, looked at along four axes: no distance is shorter than its longest
+ * projection by more than this. */
+#define RED_STEP  (0.2f * 0.9239f)
 #define SATURATED 0.8f /* red of all light */
 
 /* Transitions of one value: from its last extreme by a step or more. */
@@ -30,7 +32,7 @@ struct swing {
     int64_t count;
 };
 
-enum { GENERAL, RED, KINDS };
+enum { GENERAL, RED, AXES = 4, KINDS = RED + AXES };
 
 struct flash {
     int width, height;
@@ -132,13 +134,19 @@ static void average(const struct flash *flash, const uint8_t *rgb, int block, fl
     }
 }
 
-/* u' of linear sRGB; black is as white. */
-static float redness(const float rgb[3])
+/* u', v' of linear sRGB along four axes 45 degrees apart; black is as white. */
+static void chromaticity(const float rgb[3], float along[AXES])
 {
+    const float turn = 0.70710678f;
     float x = 0.4124f * rgb[0] + 0.3576f * rgb[1] + 0.1805f * rgb[2];
     float y = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
     float z = 0.0193f * rgb[0] + 0.1192f * rgb[1] + 0.9505f * rgb[2];
-    return y > 1e-3f ? 4 * x / (x + 15 * y + 3 * z) : 0.1978f;
+    float u = y > 1e-3f ? 4 * x / (x + 15 * y + 3 * z) : 0.1978f,
+          v = y > 1e-3f ? 9 * y / (x + 15 * y + 3 * z) : 0.4683f;
+    along[0] = u;
+    along[1] = v;
+    along[2] = turn * (u + v);
+    along[3] = turn * (u - v);
 }
 
 static double follow_blocks(struct flash *flash, const uint8_t *rgb, uint64_t time_us)
@@ -147,16 +155,17 @@ static double follow_blocks(struct flash *flash, const uint8_t *rgb, uint64_t ti
     for (int block = 0; block < BLOCKS; block++) {
         float colour[3];
         average(flash, rgb, block, colour);
-        float luminance = 0.2126f * colour[0] + 0.7152f * colour[1] + 0.0722f * colour[2], red = redness(colour);
-        float light = colour[0] + colour[1] + colour[2];
+        float light = colour[0] + colour[1] + colour[2], values[KINDS];
         bool saturated = light > 1e-2f && colour[0] >= SATURATED * light;
-        mean += (double)luminance;
-        if (flash->worst.frames == 0) {
-            restart(&flash->blocks[GENERAL][block], luminance, false);
-            restart(&flash->blocks[RED][block], red, saturated);
+        values[GENERAL] = 0.2126f * colour[0] + 0.7152f * colour[1] + 0.0722f * colour[2];
+        chromaticity(colour, values + RED);
+        mean += (double)values[GENERAL];
+        for (int kind = 0; kind < KINDS; kind++) {
+            if (flash->worst.frames == 0) {
+                restart(&flash->blocks[kind][block], values[kind], saturated);
+            }
+            follow(&flash->blocks[kind][block], kind, values[kind], saturated, time_us);
         }
-        follow(&flash->blocks[GENERAL][block], GENERAL, luminance, false, time_us);
-        follow(&flash->blocks[RED][block], RED, red, saturated, time_us);
     }
     return mean / BLOCKS;
 }
@@ -205,19 +214,21 @@ static void look_at_windows(struct flash *flash, uint64_t time_us)
         }
     }
     for (int place = 0; place < PLACES * PLACES; place++) {
-        int x = place % PLACES, y = place / PLACES, flashes[KINDS];
+        int x = place % PLACES, y = place / PLACES, general = 0, red = 0;
         for (int kind = 0; kind < KINDS; kind++) {
             follow_window(flash, kind, x, y, time_us);
             int together = within(&flash->windows[kind][place], time_us), each = by_itself(counted[kind], x, y);
-            flashes[kind] = (together > each ? together : each) / 2;
+            int flashes = (together > each ? together : each) / 2;
+            general = kind == GENERAL ? flashes : general;
+            red = kind >= RED && flashes > red ? flashes : red;
         }
         struct flash_worst *worst = &flash->worst;
-        if (flashes[GENERAL] > worst->general || flashes[RED] > worst->red) {
+        if (general > worst->general || red > worst->red) {
             worst->x = x * flash->width / FLASH_BLOCKS;
             worst->y = y * flash->height / FLASH_BLOCKS;
             worst->time_us = time_us;
-            worst->general = flashes[GENERAL] > worst->general ? flashes[GENERAL] : worst->general;
-            worst->red = flashes[RED] > worst->red ? flashes[RED] : worst->red;
+            worst->general = general > worst->general ? general : worst->general;
+            worst->red = red > worst->red ? red : worst->red;
         }
     }
 }

@@ -13,7 +13,11 @@ struct journal_head journal_case_head(void)
 
 struct journal_sheet journal_case_sheet(void)
 {
-    struct journal_sheet sheet = {.def = painting_default_def(), .mode = INK_CMY, .inks = {5, 2, 0}, .ink_count = 3};
+    struct journal_sheet sheet = {.def = painting_default_def(),
+                                  .mode = INK_CMY,
+                                  .inks = {5, 2, 0},
+                                  .ink_count = 3,
+                                  .history = {5000000, 30, 8, 900, 4, 45}};
     sheet.def.width = 64;
     sheet.def.height = 48;
     sheet.def.margin = 7;
@@ -65,7 +69,7 @@ static void fill(const struct key *key, int seed, struct action *action, struct 
 struct action journal_case_action(enum action_verb verb, int seed, struct journal_case_values *values)
 {
     struct action action = action_default(verb);
-    action.visitor = seed % 4;
+    action.visitor = seed % 4 - 1;
     for (int i = 0; i < 3; i++) {
         values->points[i] = (struct point){0.1f * (float)(seed % 9 + i), 0.05f * (float)(seed % 11) + 0.3f * (float)i};
     }

@@ -62,7 +62,8 @@ static void record(struct stage *stage)
     stage->actions[2].tick = 400;
     stage->actions[3] = stage->actions[0];
     stage->actions[3].tick = 900;
-    stage->recorded = (struct script){.ticks = 1000, .ink_count = 2, .actions = stage->actions, .action_count = 4};
+    stage->recorded = (struct script){
+        .width = 400, .height = 250, .ticks = 1000, .ink_count = 2, .actions = stage->actions, .action_count = 4};
     stage->exhibit.recorded[0] = &stage->recorded;
     stage->exhibit.session_count = 1;
 }
@@ -158,6 +159,12 @@ static float size_of(const struct action *drop)
     return (drop->reach - 30) / 2.2f;
 }
 
+/* Beads are none. */
+static bool is_bloom(const struct action *action)
+{
+    return action->verb == ACTION_DROP && size_of(action) > 10;
+}
+
 static void sessions_are_composed(void **state)
 {
     (void)state;
@@ -176,7 +183,7 @@ static void sessions_are_composed(void **state)
         for (int j = 0; j < played->count; j++) {
             const struct action *one = &played->actions[j];
             verbs[one->verb]++;
-            if (one->verb != ACTION_DROP || one->brush == BRUSH_NONE) {
+            if (!is_bloom(one)) {
                 continue;
             }
             float r = size_of(one);
@@ -192,7 +199,7 @@ static void sessions_are_composed(void **state)
             grows = until > grows ? until : grows;
             for (int k = 0; k < j; k++) { /* no piles */
                 const struct action *other = &played->actions[k];
-                bool bloom = other->verb == ACTION_DROP && other->brush != BRUSH_NONE;
+                bool bloom = is_bloom(other);
                 float apart = hypotf((one->at.x - other->at.x) * width, (one->at.y - other->at.y) * height);
                 assert_true(!bloom || apart > 0.6f * (r + size_of(other)));
                 assert_true(!bloom || one->tick - other->tick >= RATE); /* and no bursts */
@@ -254,49 +261,89 @@ static void no_two_of_a_day_are_the_same(void **state)
     free(stage);
 }
 
+/* The recorded ones among `count` sessions, by `each`. */
+static int play_recorded(struct stage *stage, int count, void (*each)(const struct played *, int *), int *tally)
+{
+    struct attract *attract = attract_create(&stage->exhibit, 9);
+    struct played *played = calloc(1, sizeof *played);
+    assert_non_null(played);
+    int found = 0;
+    for (int i = 0; i < count; i++) {
+        play(attract, 1, 1.6f, played);
+        check_legal(played, 2);
+        if (i % 3 == 2) {
+            each(played, tally);
+            found++;
+        }
+    }
+    attract_destroy(attract);
+    free(played);
+    return found;
+}
+
+enum { LEFT, TOP, FIRST_INK, SLOW, TALLIES };
+
+static void look_at_variation(const struct played *played, int *tally)
+{
+    assert_int_equal(played->count, 5); /* drop, the stroke in three pieces, drop; its sheet is not wiped */
+    const struct action *drop = &played->actions[0], *late = &played->actions[4];
+    assert_true(drop->verb == ACTION_DROP && late->verb == ACTION_DROP);
+    tally[LEFT] += drop->at.x < 0.5f;
+    tally[TOP] += drop->at.y < 0.5f;
+    tally[FIRST_INK] += drop->ink == 0;
+    tally[SLOW] += played->ticks > 1150;
+    /* The stroke goes on from the drop as it did, whichever way round, with all of its points. */
+    struct point last = drop->at;
+    int points = 1;
+    for (int i = 1; i < 4; i++) {
+        const struct action *piece = &played->actions[i];
+        assert_true(piece->verb == ACTION_BRUSH_INK && piece->ink == 1 - drop->ink);
+        assert_near(played->points[i][0].x, last.x, 1e-5);
+        last = played->points[i][piece->path.count - 1];
+        points += piece->path.count - 1;
+    }
+    assert_int_equal(points, 20);
+    assert_near(fabsf(last.x - drop->at.x), 0.38, 1e-5);
+    assert_near(last.y, drop->at.y, 1e-5);
+    assert_near((double)played->actions[1].tick / 300, (double)late->tick / 900, 0.05);
+    assert_true(played->ticks > 890 && played->ticks < 1500);
+    assert_near(drop->reach, 160, 1e-3);
+}
+
+static void look_at_size(const struct played *played, int *tally)
+{
+    const struct action *drop = &played->actions[0], *piece = &played->actions[1];
+    (*tally)++;
+    assert_near(drop->reach, 320, 1e-3);
+    assert_near(drop->radius, 8, 1e-3);
+    assert_near(drop->solvent, 240, 1e-3);
+    assert_near(piece->radius, 12, 1e-3);
+    assert_true(played->actions[4].tick > 900 * 2 * 0.88f);
+}
+
+static void look_at_place(const struct played *played, int *tally)
+{
+    (*tally)++;
+    assert_true(played->actions[0].at.x == 0.2f && played->actions[0].at.y == 0.3f);
+}
+
 static void recorded_sessions_are_varied(void **state)
 {
     (void)state;
     struct stage *stage = a_stage(60, 100000);
     record(stage);
-    struct attract *attract = attract_create(&stage->exhibit, 9);
-    struct played *played = calloc(1, sizeof *played);
-    assert_non_null(played);
-    int left = 0, top = 0, by_ink[2] = {0}, slow = 0, found = 0;
-    for (int i = 0; i < 300; i++) {
-        play(attract, 1, 1.6f, played);
-        check_legal(played, 2);
-        if (i % 3 != 2) {
-            continue;
-        }
-        found++;
-        assert_int_equal(played->count, 3);
-        const struct action *drop = &played->actions[0], *stroke = &played->actions[1];
-        left += drop->at.x < 0.5f;
-        top += drop->at.y < 0.5f;
-        by_ink[drop->ink]++;
-        slow += played->ticks > 1000;
-        assert_int_equal(stroke->path.count, STUDIO_PATH);
-        assert_int_equal(stroke->ink, 1 - drop->ink);
-        /* The stroke goes on from the drop as it did, whichever way round, with all of its length. */
-        const struct point *points = played->points[1];
-        assert_near(points[0].x, drop->at.x, 1e-5);
-        assert_near(fabsf(points[STUDIO_PATH - 1].x - points[0].x), 0.38, 1e-5);
-        assert_near(points[STUDIO_PATH - 1].y, points[0].y, 1e-5);
-        assert_near((double)stroke->tick / 300, (double)played->actions[2].tick / 900, 0.01);
-        assert_true(played->ticks > 890 && played->ticks < 1360);
+    int tally[TALLIES] = {0}, other = 0;
+    assert_int_equal(play_recorded(stage, 300, look_at_variation, tally), 100);
+    for (int i = 0; i < TALLIES; i++) {
+        assert_in_range(tally[i], 20, 80);
     }
-    assert_int_equal(found, 100);
-    assert_true(left > 20 && left < 80 && top > 20 && top < 80 && by_ink[0] > 20 && by_ink[1] > 20 && slow > 20);
+    stage->exhibit.sheet.cells = 400000; /* as large as the sheet is */
+    play_recorded(stage, 30, look_at_size, &other);
     /* On a field that stays where it is, places stay as well. */
     static const float field[] = {1, 1, 1, 1};
     stage->actions[1].formula = (struct action_raster){.values = field, .width = 2, .height = 2, .channels = 1};
-    for (int i = 0; i < 30; i++) {
-        play(attract, 1, 1.6f, played);
-        assert_true(i % 3 != 2 || (played->actions[0].at.x == 0.2f && played->actions[0].at.y == 0.3f));
-    }
-    attract_destroy(attract);
-    free(played);
+    play_recorded(stage, 30, look_at_place, &other);
+    assert_int_equal(other, 20);
     free(stage);
 }
 
@@ -325,9 +372,6 @@ static void a_hand_paints(void **state)
             assert_true(!is || (pressed >= 0 && pressed <= 1 && isfinite(at.x) && isfinite(at.y)));
             struct action action;
             while (attract_action(attract, tick, &action)) {
-                if (action.verb == ACTION_SET) { /* nobody's */
-                    continue;
-                }
                 struct point place = action.path.count ? action.path.points[action.path.count - 1] : action.at;
                 assert_true(is);
                 assert_near(at.x, place.x, 0.02);

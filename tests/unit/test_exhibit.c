@@ -97,7 +97,7 @@ static void screen_sheet_and_times_are_read(void **state)
     assert_int_equal(script->seed, 9);
     assert_int_equal(exhibit->sheet.rate, 30);
     assert_near(exhibit->visit.countdown, 10.5, 0);
-    assert_near(exhibit->visit.next_scene, 0, 0);
+    assert_int_equal(exhibit->visit.next_scene, 0);
     assert_near(exhibit->access.dwell_radius, 20, 0);
     assert_near(exhibit->access.zone[3], 0.95, 1e-6);
     assert_string_equal(exhibit->gallery.folder, "pictures");
@@ -285,6 +285,8 @@ static void other_inputs_have_another_mark(void **state)
     assert_true(mark == mark_of("exhibit: 1\nwake: 5\ninputs:\n  bindings:\n    - {touch: tap, drop: {ink: ochre}}\n"));
     assert_true(mark != mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {ink: turquoise}}]}\n"));
     assert_true(mark != mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {}}]}\n"));
+    assert_true(mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {radius: 8}}]}\n") !=
+                mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {radius: 9}}]}\n"));
     assert_true(mark != mark_of("exhibit: 1\nscenes: [{id: a, inks: [ochre, cyan]}]\n"
                                 "inputs: {bindings: [{touch: tap, drop: {ink: ochre}}]}\n"));
 }

@@ -208,7 +208,7 @@ static const struct script_case BAD[] = {
            "scenes:\n"
            "  - {id: dawn, palette: earht}\n"),
      "s.yaml:3:25: scenes[0].palette: unknown palette 'earht'; did you mean earth? One of reef, garden, dusk, earth, "
-     "press\n"},
+     "press, harbour, kingfisher, lantern\n"},
     {"inks and a palette",
      BYTES("exhibit: 1\n"
            "scenes:\n"

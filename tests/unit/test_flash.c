@@ -152,7 +152,7 @@ static void a_small_area_is_none(void **state)
     assert_true(worst.x <= 40 && worst.x + WIDTH / 3 >= 56 && worst.y <= 30 && worst.y + HEIGHT / 3 >= 42);
 }
 
-/* As dark as each other: .0722 + .. no luminance change worth counting, but saturated red. */
+/* Luminances .075 and .036: too near to count, but one is saturated red. */
 static uint32_t red(double seconds, int x, int y)
 {
     (void)x, (void)y;
@@ -165,12 +165,29 @@ static uint32_t dull_red(double seconds, int x, int y)
     return half(seconds, 4) ? 0x804040 : 0x406040;
 }
 
+/* An orange red that is no farther from white than many colours are, but far from blue. */
+static uint32_t red_and_blue(double seconds, int x, int y)
+{
+    (void)x, (void)y;
+    return half(seconds, 4) ? 0xa04800 : 0x0000ff;
+}
+
+static uint32_t red_and_white(double seconds, int x, int y)
+{
+    (void)x, (void)y;
+    return half(seconds, 4) ? 0xa04800 : 0x585858;
+}
+
 static void red_is_counted_apart(void **state)
 {
     (void)state;
     struct flash_worst worst = look(red);
     assert_int_equal(worst.red, 4);
     assert_int_equal(worst.general, 0);
+    worst = look(red_and_blue);
+    assert_true(worst.red == 4 && worst.general == 0);
+    worst = look(red_and_white);
+    assert_true(worst.red == 0 && worst.general == 0);
     worst = look(dull_red);
     assert_true(worst.red == 0 && worst.general == 0);
 }
@@ -207,17 +224,18 @@ static uint32_t in_turn(double seconds, int x, int y)
     return beat < 1 && x < WIDTH / 2 ? 0xffffff : beat >= 2 && beat < 3 && x >= WIDTH / 2 ? 0xffffff : 0x000000;
 }
 
-/* Every other block a sixth of a second later. */
+/* Each block at its own time: never a quarter of them at one moment. */
 static uint32_t apart(double seconds, int x, int y)
 {
-    return flicker_4(seconds + (x / 4 % 2 ? 0.06 : 0), x, y);
+    int block = (x / 4 + 8 * (y / 3)) % 15;
+    return flicker_4(seconds + block / 60.0, x, y);
 }
 
 static void flashes_out_of_step_are_counted(void **state)
 {
     (void)state;
     assert_int_equal(look(in_turn).general, 4);
-    assert_true(look(apart).general >= 4);
+    assert_int_equal(look_for(apart, WIDTH, HEIGHT, 60, 120).general, 4);
 }
 
 int main(void)

@@ -218,6 +218,58 @@ static void seats_have_palettes_of_their_own(void **state)
     }
 }
 
+static unsigned next_chance(unsigned *seed)
+{
+    *seed = *seed * 1664525 + 1013904223;
+    return *seed >> 8;
+}
+
+/* Zones and wishes of all kinds: what the curator wants gives way to 15 mm, and nothing is lost where a child would
+ * still paint. */
+static void any_exhibit_has_room(void **state)
+{
+    (void)state;
+    unsigned seed = 5;
+    for (int i = 0; i < 3000; i++) {
+        struct hud_screen screen = {"any", 0, 0, 0, 0, next_chance(&seed) % 2 == 0};
+        screen.width = 100 + (float)(next_chance(&seed) % 900);
+        screen.height = 86 + (float)(next_chance(&seed) % 500);
+        float density = 1.5f + 0.01f * (float)(next_chance(&seed) % 800);
+        screen.columns = (int)(screen.width * density);
+        screen.rows = (int)(screen.height * density);
+        struct hud_case place;
+        struct hud hud;
+        hud_case_init(&place, &screen, (enum exhibit_side)(next_chance(&seed) % 3));
+        place.exhibit.palette.target = 15 + (float)(next_chance(&seed) % 46);
+        place.exhibit.display.floor = (float)(next_chance(&seed) % 900);
+        for (int k = 1; k < TOOLS; k++) {
+            place.exhibit.palette.tools[k] = next_chance(&seed) % 3 > 0;
+        }
+        place.exhibit.palette.undo = next_chance(&seed) % 4 > 0;
+        place.exhibit.palette.hand = next_chance(&seed) % 2 > 0;
+        place.exhibit.palette.language = next_chance(&seed) % 2 > 0;
+        struct hud_def def = hud_case_def(&place, &screen);
+        hud_init(&hud, &def);
+        hud_show(&hud, true, 0);
+        place.exhibit.palette.target = 15; /* of what is checked */
+        float mm = hud.mm;
+        const struct hud_panel *panel = &hud.panels[0];
+        assert_true(panel->count >= 3);
+        for (int k = 0; k < panel->count; k++) {
+            assert_true(panel->buttons[k].width >= 15 * mm && panel->buttons[k].height >= 15 * mm);
+            assert_true(panel->buttons[k].x >= 0 && panel->buttons[k].y >= 0);
+            for (int j = 0; j < k; j++) {
+                assert_false(touching(&panel->buttons[k], &panel->buttons[j], 3 * mm - 0.01f));
+            }
+        }
+        assert_true(panel->x >= 0 && panel->x + panel->width <= (float)screen.columns);
+        assert_true(panel->y >= 0 && panel->y + panel->height <= (float)screen.rows);
+        find_kind(&hud, 0, HUD_FINISH, 0, HUD_KINDS);
+        find_kind(&hud, 0, HUD_SEATED, 0, HUD_MORE);
+        touch_all(&hud, 0);
+    }
+}
+
 static void it_is_at_its_side_and_changes_hands(void **state)
 {
     (void)state;
@@ -386,6 +438,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(everything_fits_on_every_screen),
         cmocka_unit_test(seats_have_palettes_of_their_own),
+        cmocka_unit_test(any_exhibit_has_room),
         cmocka_unit_test(it_is_at_its_side_and_changes_hands),
         cmocka_unit_test(arabic_begins_at_the_right),
         cmocka_unit_test(it_hangs_where_a_wheelchair_reaches),

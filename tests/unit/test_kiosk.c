@@ -192,6 +192,26 @@ static void at_night_it_is_dark_and_a_waking_touch_does_not_paint(void **state)
     hall_close(hall);
 }
 
+static void what_is_let_go_in_the_dark_is_not_stuck_in_the_morning(void **state)
+{
+    (void)state;
+    setenv("TZ", "UTC", 1);
+    tzset();
+    char yaml[2000];
+    snprintf(yaml, sizeof yaml, "%s%s", PLAIN, "schedule: [{days: mon-sun, open: \"10:00\", close: \"18:00\"}]\n");
+    struct hall *hall = hall_open(yaml);
+    struct event button = {.kind = EVENT_CONTROL, .source = SOURCE_GPIO, .device = 1, .control = END, .value = 1};
+    hall->wall = 1800000000 / 86400 * 86400 + 17 * 3600 + 3590; /* ten seconds to six */
+    hall_wait(hall, 1);
+    hall_feel(hall, &button); /* it jams */
+    hall_wait(hall, 600);
+    assert_true(hall->dark);
+    button.value = 0;
+    hall_feel(hall, &button); /* and is mended at night */
+    assert_int_equal(controls_counts(hall->controls).held, 0);
+    hall_close(hall);
+}
+
 static void one_switch_paints_where_the_lines_cross(void **state)
 {
     (void)state;
@@ -296,6 +316,7 @@ int main(void)
         cmocka_unit_test(a_visitor_finishes_is_thanked_and_the_next_starts_white),
         cmocka_unit_test(staff_look_at_the_status_and_leave),
         cmocka_unit_test(at_night_it_is_dark_and_a_waking_touch_does_not_paint),
+        cmocka_unit_test(what_is_let_go_in_the_dark_is_not_stuck_in_the_morning),
         cmocka_unit_test(one_switch_paints_where_the_lines_cross),
         cmocka_unit_test(another_exhibit_takes_over_while_somebody_paints),
         cmocka_unit_test(hours_of_visitors_leave_it_as_it_was),

@@ -148,6 +148,29 @@ static void is_the_same_for_any_number_of_threads(void **state)
     }
 }
 
+/* Long enough for ink to be carried along the upper edge, beyond which there is nothing to ask. */
+static void is_the_same_at_the_edge_for_any_number_of_threads(void **state)
+{
+    (void)state;
+    enum { TICKS = 520 };
+    uint64_t hashes[2];
+    for (int i = 0; i < 2; i++) {
+        struct painting_def def = busy_def();
+        struct busy busy;
+        def.threads = i == 0 ? 1 : 5;
+        busy_init(&busy);
+        struct painting *painting = painting_create(&def);
+        assert_non_null(painting);
+        for (int tick = 0; tick < TICKS; tick++) {
+            busy_act(&busy, tick, act_on, painting);
+            painting_tick(painting);
+        }
+        hashes[i] = painting_hash(painting);
+        painting_destroy(painting);
+    }
+    assert_true(hashes[0] == hashes[1]);
+}
+
 /* Runs are cut at 512 columns: wide sheets have several side by side. */
 static void is_the_same_across_wide_runs(void **state)
 {
@@ -238,6 +261,7 @@ int main(void)
         cmocka_unit_test(is_the_same_for_every_vector),
         cmocka_unit_test(is_the_same_dense_or_asleep),
         cmocka_unit_test(is_the_same_for_any_number_of_threads),
+        cmocka_unit_test(is_the_same_at_the_edge_for_any_number_of_threads),
         cmocka_unit_test(is_the_same_across_wide_runs),
         cmocka_unit_test(a_wider_margin_changes_nothing_inside),
         cmocka_unit_test(refuses_sizes_out_of_range),

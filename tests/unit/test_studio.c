@@ -251,6 +251,182 @@ static void what_was_done_last_on_the_gpu_is_undone(void **state)
     takes_back(*state, ENGINE_GPU);
 }
 
+static void post_drop(struct place *place, int visitor, float x, float y)
+{
+    struct action drop = action_default(ACTION_DROP);
+    drop.visitor = visitor;
+    drop.at = (struct point){x, y};
+    assert_true(studio_post(place->studio, &drop));
+}
+
+static void reports(struct place *place, uint64_t can_undo, uint64_t can_redo)
+{
+    struct studio_report report = studio_report(place->studio);
+    for (int waited = 0; (report.can_undo != can_undo || report.can_redo != can_redo) && waited < PATIENCE_MS;
+         waited += 5) {
+        nap();
+        report = studio_report(place->studio);
+    }
+    assert_int_equal(report.can_undo, can_undo);
+    assert_int_equal(report.can_redo, can_redo);
+}
+
+/* Each visitor undoes and redoes their own; what the script did is nobody's. */
+static void visitors_undo_their_own(struct place *place, enum engine_kind engine)
+{
+    open_studio(place, engine);
+    wait_end(place);
+    reports(place, 0, 0);
+    post_drop(place, 1, 0.8f, 0.2f);
+    post_drop(place, 2, 0.8f, 0.8f);
+    becomes(place, 0.8f, 0.2f, 0.5f, 3);
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    reports(place, 7, 0);
+    undo(place, ACTION_UNDO, 1);
+    becomes(place, 0.8f, 0.2f, 0, 0.01f);
+    reports(place, 5, 3);
+    undo(place, ACTION_UNDO, 1); /* has done no more */
+    undo(place, ACTION_REDO, 1);
+    becomes(place, 0.8f, 0.2f, 0.5f, 3);
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    reports(place, 7, 0);
+    undo(place, ACTION_UNDO, 0);
+    undo(place, ACTION_UNDO, 0);
+    undo(place, ACTION_UNDO, 0); /* the script's are not anybody's */
+    becomes(place, 0.8f, 0.2f, 0, 0.01f);
+    becomes(place, 0.8f, 0.8f, 0, 0.01f);
+    becomes(place, 0.5f, 0.5f, 0.5f, 3);
+    reports(place, 0, 7);
+    assert_string_equal(studio_report(place->studio).trouble, "");
+}
+
+static void visitors_undo_their_own_on_the_cpu(void **state)
+{
+    visitors_undo_their_own(*state, ENGINE_CPU);
+}
+
+static void visitors_undo_their_own_on_the_gpu(void **state)
+{
+    visitors_undo_their_own(*state, ENGINE_GPU);
+}
+
+/* After what was posted before, a bare sheet, which nothing comes back to; the script begins again with another seed.
+ */
+static void a_fresh_sheet_is_bare(struct place *place, enum engine_kind engine)
+{
+    open_studio(place, engine);
+    wait_end(place);
+    post_drop(place, 1, 0.8f, 0.8f);
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    reports(place, 3, 0);
+    post_drop(place, 2, 0.8f, 0.2f); /* goes with the old sheet */
+    assert_true(studio_fresh(place->studio));
+    becomes(place, 0.8f, 0.8f, 0, 0.01f);
+    reports(place, 0, 0);
+    assert_int_equal(studio_report(place->studio).sessions, 2);
+    undo(place, ACTION_UNDO, 1);
+    post_drop(place, 1, 0.8f, 0.5f);
+    becomes(place, 0.8f, 0.5f, 0.5f, 3);
+    wait_end(place);
+    becomes(place, 0.2f, 0.2f, 0.5f, 3); /* of the script */
+    becomes(place, 0.8f, 0.8f, 0, 0.01f);
+    becomes(place, 0.8f, 0.2f, 0, 0.01f);
+}
+
+static void a_fresh_sheet_of_the_cpu_is_bare(void **state)
+{
+    a_fresh_sheet_is_bare(*state, ENGINE_CPU);
+}
+
+static void a_fresh_sheet_of_the_gpu_is_bare(void **state)
+{
+    a_fresh_sheet_is_bare(*state, ENGINE_GPU);
+}
+
+static struct script *script_of(const char *text)
+{
+    struct script_def def = script_default_def();
+    struct report report;
+    report_init(&report, "other");
+    struct script *script = script_parse(text, strlen(text), ".", &def, &report);
+    report_finish(&report);
+    assert_non_null(script);
+    return script;
+}
+
+/* The painting stays, on another canvas too; actions that are past do not happen. */
+static void takes_another_script(struct place *place, enum engine_kind engine)
+{
+    struct script *still = script_of("frond: 1\ncanvas: {width: 96, height: 96}\nticks: 60\npainting: {alpha_a: 0.1}\n"
+                                     "actions:\n  - {tick: 20, drop: {at: [0.8, 0.2]}}\n");
+    struct script *larger = script_of("frond: 1\ncanvas: {width: 144, height: 144, margin: 8}\nticks: 100\n"
+                                      "actions:\n  - {tick: 80, drop: {at: [0.8, 0.2]}}\n");
+    open_studio(place, engine);
+    wait_end(place);
+    post_drop(place, 1, 0.8f, 0.8f);
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    assert_true(studio_script(place->studio) == place->script);
+    assert_true(studio_change(place->studio, still));
+    reports(place, 0, 0);
+    assert_true(studio_script(place->studio) == still);
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    becomes(place, 0.5f, 0.5f, 0.5f, 3);
+    becomes(place, 0.8f, 0.2f, 0, 0.01f);
+    assert_true(studio_change(place->studio, larger));
+    for (int waited = 0; studio_report(place->studio).ticks < 100 && waited < PATIENCE_MS; waited += 5) {
+        nap();
+    }
+    bool fresh;
+    assert_int_equal(studio_report(place->studio).ticks, 100);
+    assert_int_equal(studio_newest(place->studio, &fresh)->width, 144);
+    becomes(place, 0.8f, 0.2f, 0.5f, 3);
+    becomes(place, 0.8f, 0.8f, 0.4f, 3);
+    becomes(place, 0.5f, 0.5f, 0.4f, 3);
+    assert_int_equal(studio_report(place->studio).sessions, 1);
+    assert_string_equal(studio_report(place->studio).trouble, "");
+    studio_destroy(place->studio);
+    place->studio = NULL;
+    script_destroy(still);
+    script_destroy(larger);
+}
+
+static void another_script_keeps_the_painting_of_the_cpu(void **state)
+{
+    takes_another_script(*state, ENGINE_CPU);
+}
+
+static void another_script_keeps_the_painting_of_the_gpu(void **state)
+{
+    takes_another_script(*state, ENGINE_GPU);
+}
+
+/* What was undone before the GPU was lost stays undone. */
+static void undo_survives_a_reset(void **state)
+{
+    struct place *place = *state;
+    struct display_error display_error;
+    struct studio_error error;
+    open_studio(place, ENGINE_GPU);
+    wait_end(place);
+    post_drop(place, 1, 0.8f, 0.8f);
+    becomes(place, 0.8f, 0.8f, 0.5f, 3);
+    undo(place, ACTION_UNDO, 1);
+    becomes(place, 0.8f, 0.8f, 0, 0.01f);
+    display_inject_reset(place->display);
+    assert_true(display_lost(place->display));
+    studio_suspend(place->studio);
+    assert_true(display_renew(place->display, &display_error));
+    assert_true(studio_resume(place->studio, place->display, &error));
+    becomes(place, 0.5f, 0.5f, 0.5f, 3);
+    becomes(place, 0.8f, 0.8f, 0, 0.01f);
+    undo(place, ACTION_REDO, 1); /* may be forgotten */
+    post_drop(place, 2, 0.8f, 0.2f);
+    becomes(place, 0.8f, 0.2f, 0.5f, 3);
+    undo(place, ACTION_UNDO, 2);
+    becomes(place, 0.8f, 0.2f, 0, 0.01f);
+    assert_string_equal(studio_report(place->studio).trouble, "");
+}
+
 static void it_rests_while_nobody_looks(void **state)
 {
     struct place *place = *state;
@@ -380,6 +556,13 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_painting_of_the_gpu_goes_to_another_grid, set_up, tear_down),
         cmocka_unit_test_setup_teardown(what_was_done_last_on_the_cpu_is_undone, set_up, tear_down),
         cmocka_unit_test_setup_teardown(what_was_done_last_on_the_gpu_is_undone, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(visitors_undo_their_own_on_the_cpu, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(visitors_undo_their_own_on_the_gpu, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_fresh_sheet_of_the_cpu_is_bare, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_fresh_sheet_of_the_gpu_is_bare, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(another_script_keeps_the_painting_of_the_cpu, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(another_script_keeps_the_painting_of_the_gpu, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(undo_survives_a_reset, set_up, tear_down),
         cmocka_unit_test_setup_teardown(it_rests_while_nobody_looks, set_up, tear_down),
         cmocka_unit_test_setup_teardown(it_tells_which_fields_hold_what_was_posted, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_frame_never_waits_for_a_tick, set_up, tear_down),

@@ -68,6 +68,25 @@ static void sees_as_they_see(void **state)
     assert_true(apart[VISION_PROTANOPIA] < 10 && apart[VISION_DEUTERANOPIA] < 10 && apart[VISION_GREY] < 2);
 }
 
+/* What becomes of a green and of a blue of one half, by the paper's table of severity 1. */
+static void matrices_are_the_published_ones(void **state)
+{
+    (void)state;
+    static const float SEEN[3][2][3] = {{{0.5262915f, 0.3931405f, 0}, {0, 0.0496080f, 0.5259990f}},
+                                        {{0.4303230f, 0.3362505f, 0.0214700f}, {0, 0.0237065f, 0.4844405f}},
+                                        {{0, 0.4654045f, 0.3456835f}, {0, 0.0738010f, 0.1519500f}}};
+    for (int row = 0; row < 3; row++) {
+        for (int channel = 1; channel < 3; channel++) {
+            float rgb[3] = {0}, seen[3];
+            rgb[channel] = 0.5f;
+            vision_see((enum vision)(VISION_PROTANOPIA + row), rgb, seen);
+            for (int c = 0; c < 3; c++) {
+                assert_true(fabsf(seen[c] - SEEN[row][channel - 1][c]) < 1e-6f);
+            }
+        }
+    }
+}
+
 static void print_row(const struct palette *palette, const int ink[INK_PALETTE])
 {
     printf("%-11s %-5s %-5s", palette->name, palette->safe ? "safe" : "", palette->grey ? "grey" : "");
@@ -118,8 +137,11 @@ static void the_nearest_pair_counts(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(distance_is_ciede2000),   cmocka_unit_test(lab_has_its_landmarks),
-        cmocka_unit_test(sees_as_they_see),        cmocka_unit_test(palettes_are_as_safe_as_they_say),
+        cmocka_unit_test(distance_is_ciede2000),
+        cmocka_unit_test(lab_has_its_landmarks),
+        cmocka_unit_test(sees_as_they_see),
+        cmocka_unit_test(matrices_are_the_published_ones),
+        cmocka_unit_test(palettes_are_as_safe_as_they_say),
         cmocka_unit_test(the_nearest_pair_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

