@@ -13,14 +13,9 @@
 #include "bench.h"
 #include "image.h"
 #include "limits.h"
-#include "live_care.h"
-#include "live_input.h"
-#include "live_kiosk.h"
-#include "live_picture.h"
-#include "live_service.h"
+#include "live_loop.h"
 #include "log.h"
 #include "script_sheet.h"
-#include "studio.h"
 
 enum {
     WAIT_MS = 100,        /* for something to happen, at most */
@@ -29,28 +24,6 @@ enum {
 };
 
 static const double AGAIN_S = 0.25; /* the last picture is presented again: a window may have been uncovered */
-
-struct live {
-    const struct script *script;
-    const struct live_def *def;
-    struct display *display;
-    struct studio *studio;
-    struct live_picture picture;
-    struct live_care care;
-    struct live_input input;
-    struct live_keep painting;
-    struct live_kiosk kiosk; /* without an exhibit it does nothing */
-    struct live_service service;
-    struct log log;
-    struct shader_folder folder;
-    struct engine_choice choice;
-    int signals; /* a descriptor that becomes readable when it is time to go */
-    enum display_state state;
-    char described[300]; /* what was said of the display last */
-    double presented_s;  /* when a frame was presented last */
-    double second_s;     /* when it was looked after last */
-    bool said_end;
-};
 
 struct live_def live_default_def(void)
 {
@@ -95,7 +68,7 @@ static void release_signals(int descriptor)
     sigprocmask(SIG_UNBLOCK, &set, NULL);
 }
 
-static bool told_to_go(const struct live *live)
+bool live_over(const struct live *live)
 {
     struct signalfd_siginfo info;
     return display_closed(live->display) || live_kiosk_leaves(&live->kiosk) ||
@@ -192,7 +165,7 @@ static bool recover(struct live *live)
     live_input_unseen(&live->input);
     studio_suspend(live->studio);
     while (!display_renew(live->display, &display_error)) {
-        if (told_to_go(live)) {
+        if (live_over(live)) {
             return false;
         }
         display_wait(live->display, RENEW_EVERY_MS);
@@ -254,21 +227,17 @@ static bool write_shot(struct live *live)
     return good;
 }
 
-static bool run(struct live *live)
+bool live_turn(struct live *live)
 {
-    bool good = true;
-    while (good && !told_to_go(live)) {
-        display_wait(live->display, live_input_wait_ms(&live->input, live_kiosk_wait_ms(&live->kiosk, WAIT_MS)));
-        if (display_lost(live->display)) {
-            good = recover(live);
-            continue;
-        }
-        feel(live);
-        note_state(live);
-        good = draw(live);
-        look_after(live);
-        live_service_turn(&live->service, &live->kiosk, now_us());
+    display_wait(live->display, live_input_wait_ms(&live->input, live_kiosk_wait_ms(&live->kiosk, WAIT_MS)));
+    if (display_lost(live->display)) {
+        return recover(live);
     }
+    feel(live);
+    note_state(live);
+    bool good = draw(live);
+    look_after(live);
+    live_service_turn(&live->service, &live->kiosk, now_us());
     return good;
 }
 
@@ -304,11 +273,8 @@ static bool open_input(struct live *live)
                                          .rotation = live->def->rotation,
                                          .hold = live->def->hold,
                                          .console = live->def->console};
-    const struct live_kiosk_def def = {.exhibit = live->def->exhibit,
-                                       .trouble = live->def->trouble,
-                                       .open = live->def->open,
-                                       .painting = &live->painting,
-                                       .state = live->def->state};
+    const struct live_kiosk_def def = {live->def->exhibit, live->def->open,    &live->painting,
+                                       live->def->state,   live->def->trouble, live->def->clock};
     const struct live_status_def status = {.display = live->display,
                                            .studio = live->studio,
                                            .input = &live->input,
@@ -324,31 +290,47 @@ static bool open_input(struct live *live)
     return good;
 }
 
+bool live_open(struct live *live, const struct script *script, struct display *display, const struct live_def *def)
+{
+    *live = (struct live){
+        .script = script, .def = def, .display = display, .folder = {def->shaders}, .state = display_state(display)};
+    log_init(&live->log, STDERR_FILENO);
+    live->signals = catch_signals();
+    live_picture_init(&live->picture, script, def->xray, def->shaders ? &live->folder : NULL);
+    snprintf(live->described, sizeof live->described, "%s", display_describe(display));
+    say(live, LOG_LEVEL_INFO, "display: %s", live->described);
+    bool good = live->signals >= 0 &&
+                live_care_init(&live->care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
+                open_studio(live) && open_input(live) && live_service_open(&live->service, now_us());
+    if (good) {
+        studio_rest(live->studio, live->state != DISPLAY_SHOWN);
+    }
+    return good;
+}
+
+void live_close(struct live *live)
+{
+    live_service_close(&live->service);
+    studio_destroy(live->studio);
+    live_keep_close(&live->painting);
+    live_input_close(&live->input);
+    live_kiosk_close(&live->kiosk);
+    live_picture_finish(&live->picture);
+    live_care_finish(&live->care);
+    release_signals(live->signals);
+}
+
 bool live(const struct script *script, struct display *display, const struct live_def *def)
 {
-    struct live live = {
-        .script = script, .def = def, .display = display, .folder = {def->shaders}, .state = display_state(display)};
-    log_init(&live.log, STDERR_FILENO);
-    live.signals = catch_signals();
-    live_picture_init(&live.picture, script, def->xray, def->shaders ? &live.folder : NULL);
-    snprintf(live.described, sizeof live.described, "%s", display_describe(display));
-    say(&live, LOG_LEVEL_INFO, "display: %s", live.described);
-    bool good = live.signals >= 0 &&
-                live_care_init(&live.care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
-                open_studio(&live) && open_input(&live) && live_service_open(&live.service, now_us());
+    struct live live;
+    bool good = live_open(&live, script, display, def);
     if (good) {
-        studio_rest(live.studio, live.state != DISPLAY_SHOWN);
-        good = run(&live);
+        while (good && !live_over(&live)) {
+            good = live_turn(&live);
+        }
         say_totals(&live);
         good = write_shot(&live) && good;
     }
-    live_service_close(&live.service);
-    studio_destroy(live.studio);
-    live_keep_close(&live.painting);
-    live_input_close(&live.input);
-    live_kiosk_close(&live.kiosk);
-    live_picture_finish(&live.picture);
-    live_care_finish(&live.care);
-    release_signals(live.signals);
+    live_close(&live);
     return good;
 }

@@ -6,6 +6,7 @@
 #include "engine_choice.h"
 #include "exhibit.h"
 #include "inputs.h"
+#include "live_clock.h"
 #include "program.h"
 #include "script.h"
 
@@ -26,6 +27,7 @@ struct live_def {
     bool once;                   /* the session is painted once and stays; else it begins again and again */
     bool xray;                   /* the layers instead of the picture */
     bool governed;               /* less is computed where the machine is too slow or too hot */
+    struct live_clock clock;     /* of a kiosk; all zero: the real ones */
 };
 
 struct live_def live_default_def(void);

@@ -9,7 +9,8 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
     struct display_size size = display_sheet(display);
     bool screen = display_kind(display) == DISPLAY_KMS;
     int fds[SOURCES_MAX];
-    *input = (struct live_input){.kiosk = def->kiosk, .own = def->inputs ? NULL : inputs_default(script)};
+    *input = (struct live_input){
+        .kiosk = def->kiosk, .clock = def->clock, .own = def->inputs ? NULL : inputs_default(script)};
     const struct inputs *inputs = def->inputs ? def->inputs : input->own;
     if (!inputs) {
         return false;
@@ -66,7 +67,7 @@ static void take(struct live_input *input, struct event *event)
         controls_introduce(input->controls, event->source, &device);
         lamps_introduce(&input->lamps, event->source, &device);
     }
-    if (!input->kiosk || kiosk_feel(input->kiosk, event, now_us())) {
+    if (!input->kiosk || kiosk_feel(input->kiosk, event, live_clock_us(&input->clock))) {
         controls_feel(input->controls, event);
     }
 }
@@ -77,7 +78,7 @@ static void grant(struct live_input *input, const struct wish *wish, struct stud
     struct action action = action_default(wish->kind == WISH_UNDO ? ACTION_UNDO : ACTION_REDO);
     action.visitor = wish->visitor;
     if (input->kiosk) {
-        kiosk_wish(input->kiosk, wish, now_us());
+        kiosk_wish(input->kiosk, wish, live_clock_us(&input->clock));
     } else if (wish->kind == WISH_UNDO || wish->kind == WISH_REDO) {
         studio_post(studio, &action);
     }
@@ -122,7 +123,7 @@ void live_input_feel(struct live_input *input, struct display *display, struct s
     }
     controls_run(input->controls, now_us());
     while (controls_action(input->controls, &action, &time_us)) {
-        bool taken = input->kiosk ? kiosk_act(input->kiosk, &action, time_us, now_us())
+        bool taken = input->kiosk ? kiosk_act(input->kiosk, &action, time_us, live_clock_us(&input->clock))
                                   : studio_post_event(studio, &action, time_us);
         input->refused += !taken;
     }

@@ -7,14 +7,16 @@
 #include "display.h"
 #include "lamps.h"
 #include "latency.h"
+#include "live_clock.h"
 #include "sources.h"
 #include "studio.h"
 
 struct kiosk;
 
 struct live_input {
-    struct kiosk *kiosk; /* hears everything first, and posts; NULL: a session */
-    struct inputs *own;  /* the default ones, where none were given */
+    struct kiosk *kiosk;     /* hears everything first, and posts; NULL: a session */
+    struct live_clock clock; /* the kiosk's */
+    struct inputs *own;      /* the default ones, where none were given */
     struct sources *sources;
     struct controls *controls;
     struct lamps lamps;
@@ -31,6 +33,7 @@ struct live_input_def {
     const struct exhibit_seat *seats; /* copied; NULL: one */
     int seat_count;
     struct kiosk *kiosk; /* as above */
+    struct live_clock clock;
 };
 
 /* False when memory is short. */

@@ -4,17 +4,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
-#include "bench.h"
 #include "script_sheet.h"
 
 static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are left to others */
 
-static uint64_t now_us(void)
+static uint64_t now_us(const struct live_kiosk *kiosk)
 {
-    return (uint64_t)(1e6 * bench_wall_s());
+    return live_clock_us(&kiosk->clock);
 }
 
 static void say(struct live_kiosk *kiosk, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -128,9 +126,14 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                      const struct shader_folder *folder)
 {
     struct display_size size = display_sheet(status->display);
-    *kiosk = (struct live_kiosk){
-        .status = *status, .picture = picture, .input = input, .state = def->state, .painting = def->painting};
+    *kiosk = (struct live_kiosk){.status = *status,
+                                 .picture = picture,
+                                 .input = input,
+                                 .state = def->state,
+                                 .painting = def->painting,
+                                 .clock = def->clock};
     kiosk->input_def = *input_def;
+    kiosk->input_def.clock = def->clock;
     live_overlay_init(&kiosk->overlay, folder);
     if (!def->exhibit) {
         return true;
@@ -139,12 +142,12 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
         .exhibit = def->exhibit,
         .width = size.width > 0 ? size.width : DISPLAY_HEADLESS_WIDTH,
         .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
-        .seed = (uint64_t)time(NULL),
+        .seed = (uint64_t)live_clock_wall(&def->clock),
         .built = FROND_BUILT,
         .open = def->open,
         .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power, stage_sheet, stage_status}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
-    kiosk->kiosk = kiosk_create(&kiosk_def, now_us());
+    kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
     if (!kiosk->kiosk || !kiosk->watch) {
         return false;
     }
@@ -183,7 +186,7 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     live_kiosk_fit(exhibit, size.width, size.height);
     kiosk_trouble(kiosk->kiosk, NULL);
     bool same = same_hands(kiosk_shows(kiosk->kiosk), exhibit);
-    kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us());
+    kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
     if (same) { /* the inputs in use become the new exhibit's */
         struct inputs *inputs = exhibit->inputs;
@@ -210,7 +213,7 @@ static void look_at_file(struct live_kiosk *kiosk)
         }
         return;
     }
-    switch (exhibit_watch_news(kiosk->watch, now_us(), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
+    switch (exhibit_watch_news(kiosk->watch, now_us(kiosk), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
     case EXHIBIT_READ:
         take_up(kiosk, exhibit);
         break;
@@ -229,7 +232,7 @@ void live_kiosk_run(struct live_kiosk *kiosk)
         return;
     }
     const struct script *script = kiosk_scene(kiosk->kiosk)->script;
-    kiosk_run(kiosk->kiosk, now_us(), time(NULL));
+    kiosk_run(kiosk->kiosk, now_us(kiosk), live_clock_wall(&kiosk->clock));
     if (kiosk->other && studio_script(kiosk->status.studio) == script) {
         live_picture_change(kiosk->picture, script);
         live_care_change(kiosk->status.care, script);
@@ -244,7 +247,7 @@ void live_kiosk_run(struct live_kiosk *kiosk)
 
 bool live_kiosk_changed(struct live_kiosk *kiosk)
 {
-    return kiosk->kiosk && kiosk_look(kiosk->kiosk, now_us())->changed;
+    return kiosk->kiosk && kiosk_look(kiosk->kiosk, now_us(kiosk))->changed;
 }
 
 static void keep(struct live_kiosk *kiosk)
@@ -259,7 +262,7 @@ static void keep(struct live_kiosk *kiosk)
         gallery_keep(kiosk->gallery, &(struct gallery_picture){.rgb = rgb,
                                                                .width = width,
                                                                .height = height,
-                                                               .unix_s = (int64_t)time(NULL),
+                                                               .unix_s = (int64_t)live_clock_wall(&kiosk->clock),
                                                                .journal = fd >= 0 ? journal : NULL});
         if (fd >= 0) {
             close(fd);
@@ -275,7 +278,7 @@ bool live_kiosk_draw(struct live_kiosk *kiosk, struct shader_error *error)
     if (kiosk->keep) {
         keep(kiosk);
     }
-    return live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us()), error);
+    return live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us(kiosk)), error);
 }
 
 void live_kiosk_lost(struct live_kiosk *kiosk)
@@ -285,7 +288,7 @@ void live_kiosk_lost(struct live_kiosk *kiosk)
 
 int live_kiosk_wait_ms(const struct live_kiosk *kiosk, int most)
 {
-    return kiosk->kiosk ? kiosk_timeout_ms(kiosk->kiosk, now_us(), most) : most;
+    return kiosk->kiosk ? kiosk_timeout_ms(kiosk->kiosk, now_us(kiosk), most) : most;
 }
 
 bool live_kiosk_leaves(const struct live_kiosk *kiosk)

@@ -6,6 +6,7 @@
 #include "exhibit_watch.h"
 #include "gallery.h"
 #include "kiosk.h"
+#include "live_clock.h"
 #include "live_input.h"
 #include "live_keep.h"
 #include "live_overlay.h"
@@ -16,10 +17,11 @@
 
 struct live_kiosk_def {
     struct exhibit *exhibit;    /* taken over; NULL: a session, and no kiosk */
-    const char *trouble;        /* as in struct live_def */
     bool open;                  /* whatever the schedule says */
     struct live_keep *painting; /* opened, and known to the studio */
     const char *state;          /* folder that may be written to, with the gallery in it; NULL: nothing is kept */
+    const char *trouble;        /* as in struct live_def */
+    struct live_clock clock;    /* all zero: the real ones */
 };
 
 struct live_kiosk {
@@ -34,6 +36,7 @@ struct live_kiosk {
     struct live_picture *picture;
     struct live_input *input;
     struct live_input_def input_def;
+    struct live_clock clock;
     const char *state;
     bool keep;        /* the next picture goes to the gallery */
     bool other;       /* another script is on its way to the picture */

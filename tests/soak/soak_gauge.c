@@ -1,0 +1,268 @@
+#include "soak_gauge.h"
+
+#include <dirent.h>
+#include <malloc.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/inotify.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "kiosk_state.h"
+
+static const uint32_t WRITTEN = IN_CREATE | IN_MODIFY | IN_MOVED_TO | IN_DELETE;
+static const double WARM = 0.25;                             /* of the windows are not counted */
+static const double MOST_KB_H = 1024, MOST_KB_THOUSAND = 64; /* growth: an hour, a thousand visits */
+static const double TICK_MS_MOST = 100, FLIP_MS_MOST = 200;  /* p95, on a machine that does other things besides */
+
+static int entries(const char *folder)
+{
+    DIR *all = opendir(folder);
+    int count = 0;
+    while (all && readdir(all)) {
+        count++;
+    }
+    if (all) {
+        closedir(all);
+    }
+    return count - 2;
+}
+
+static double resident_kb(void)
+{
+    long pages = 0, resident = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    if (file && fscanf(file, "%ld %ld", &pages, &resident) != 2) {
+        resident = 0;
+    }
+    if (file) {
+        fclose(file);
+    }
+    return (double)resident * (double)sysconf(_SC_PAGESIZE) / 1024;
+}
+
+bool gauge_open(struct gauge *gauge, struct soak *soak, double window_s)
+{
+    *gauge = (struct gauge){.window_s = window_s, .told_s = soak_s(soak)};
+    gauge->writes = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    return gauge->writes >= 0 && inotify_add_watch(gauge->writes, soak->state, WRITTEN) >= 0;
+}
+
+void gauge_close(struct gauge *gauge)
+{
+    close(gauge->writes);
+}
+
+static void sample(struct gauge *gauge, struct soak *soak, double now)
+{
+    struct mallinfo2 heap = mallinfo2();
+    struct gauge_window seen = {now,
+                                resident_kb(),
+                                (double)(heap.uordblks + heap.hblkhd) / 1024,
+                                entries("/proc/self/fd") - 1,
+                                entries("/proc/self/task"),
+                                0,
+                                0,
+                                kiosk_visits(soak->live.kiosk.kiosk)};
+    seen.descriptors_most = seen.descriptors;
+    seen.threads_most = seen.threads;
+    bool next = gauge->count == 0 || now >= gauge->windows[gauge->count - 1].s + gauge->window_s;
+    if (next && gauge->count < GAUGE_WINDOWS) {
+        gauge->windows[gauge->count++] = seen;
+        return;
+    }
+    struct gauge_window *window = &gauge->windows[gauge->count - 1];
+    window->resident_kb = fmin(window->resident_kb, seen.resident_kb);
+    window->used_kb = fmin(window->used_kb, seen.used_kb);
+    window->descriptors = seen.descriptors < window->descriptors ? seen.descriptors : window->descriptors;
+    window->threads = seen.threads < window->threads ? seen.threads : window->threads;
+    window->descriptors_most =
+        seen.descriptors > window->descriptors_most ? seen.descriptors : window->descriptors_most;
+    window->threads_most = seen.threads > window->threads_most ? seen.threads : window->threads_most;
+    window->visits = seen.visits;
+}
+
+/* What the gallery has kept never exceeds its caps, but for the picture that is being written. */
+static void look_at_gallery(struct gauge *gauge, struct soak *soak)
+{
+    char folder[120], path[420];
+    int pictures = 0;
+    long long bytes = 0;
+    struct stat status;
+    struct dirent *entry;
+    snprintf(folder, sizeof folder, "%s/gallery", soak->state);
+    DIR *all = opendir(folder);
+    while (all && (entry = readdir(all))) {
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        bool file = stat(path, &status) == 0 && S_ISREG(status.st_mode);
+        pictures += file && strstr(entry->d_name, ".png") != NULL;
+        bytes += file ? status.st_size : 0;
+    }
+    bool there = all && closedir(all) == 0;
+    gauge->kept_most = pictures > gauge->kept_most ? pictures : gauge->kept_most;
+    gauge->bytes_most = bytes > gauge->bytes_most ? bytes : gauge->bytes_most;
+    if (!gauge->watched && there) {
+        gauge->watched = inotify_add_watch(gauge->writes, folder, WRITTEN) >= 0;
+    }
+}
+
+static void look_at_writes(struct gauge *gauge, struct soak *soak)
+{
+    _Alignas(struct inotify_event) char bytes[4096];
+    const struct live_kiosk *kiosk = &soak->live.kiosk;
+    ssize_t got;
+    int count = 0;
+    char name[100] = "";
+    while ((got = read(gauge->writes, bytes, sizeof bytes)) > 0) {
+        const struct inotify_event *event = (const struct inotify_event *)(const void *)bytes;
+        snprintf(name, sizeof name, "%.90s", event->len > 0 ? event->name : "");
+        count++;
+    }
+    bool quiet = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && !kiosk->keep && kiosk->gallery &&
+                 !gallery_busy(kiosk->gallery);
+    if (count > 0 && quiet && gauge->quiet) {
+        soak_fail(soak, "in attract '%s' is written", name);
+    }
+    gauge->kept_seen += count > 0;
+    gauge->quiet_turns += quiet;
+    gauge->quiet = quiet;
+}
+
+/* What is new in a window of latency.h; another one begins where inputs are opened again. */
+static void read_delays(struct delays *delays, const struct latency_window *window)
+{
+    if (window->count < delays->read) {
+        delays->read = 0;
+    }
+    int64_t from = window->count - delays->read > LATENCY_WINDOW ? window->count - LATENCY_WINDOW : delays->read;
+    for (int64_t i = from; i < window->count; i++) {
+        uint32_t ms = window->us[i % LATENCY_WINDOW] / 1000;
+        delays->ms[ms < GAUGE_MS ? ms : GAUGE_MS - 1]++;
+        delays->total++;
+    }
+    delays->read = window->count;
+}
+
+static int percentile(const struct delays *delays, double share)
+{
+    int64_t seen = 0, wanted = (int64_t)ceil(share * (double)delays->total);
+    for (int i = 0; i < GAUGE_MS; i++) {
+        seen += delays->ms[i];
+        if (seen >= wanted) {
+            return i + 1;
+        }
+    }
+    return GAUGE_MS;
+}
+
+void gauge_turn(struct gauge *gauge, struct soak *soak)
+{
+    double now = soak_s(soak);
+    look_at_writes(gauge, soak);
+    if (now < gauge->sample_s) {
+        return;
+    }
+    gauge->sample_s = now + 0.5;
+    read_delays(&gauge->tick, &soak->live.input.latency.tick);
+    read_delays(&gauge->flip, &soak->live.input.latency.flip);
+    look_at_gallery(gauge, soak);
+    sample(gauge, soak, now);
+}
+
+void gauge_tell(struct gauge *gauge, struct soak *soak)
+{
+    double now = soak_s(soak), length = now - gauge->told_s;
+    struct display_frames frames = display_frames(soak->display);
+    const struct gauge_window *window = &gauge->windows[gauge->count - 1];
+    uint32_t visits = kiosk_visits(soak->live.kiosk.kiosk);
+    double load[1] = {0};
+    getloadavg(load, 1);
+    soak_say("%4.0f s: %u visits (%.0f a minute), RSS %.1f MB, malloc %.1f MB, %d..%d descriptors, %d..%d threads, "
+             "%.1f frames a second, missed %llu; to the tick p50 %d p95 %d, to the frame p50 %d p95 %d ms; load %.1f",
+             now, visits, 60 * (visits - gauge->visits_told) / length, window->resident_kb / 1024,
+             window->used_kb / 1024, window->descriptors, window->descriptors_most, window->threads,
+             window->threads_most, (double)(frames.presented - gauge->frames_told.presented) / length,
+             (unsigned long long)(frames.missed - gauge->frames_told.missed), percentile(&gauge->tick, 0.5),
+             percentile(&gauge->tick, 0.95), percentile(&gauge->flip, 0.5), percentile(&gauge->flip, 0.95), load[0]);
+    gauge->told_s = now;
+    gauge->frames_told = frames;
+    gauge->visits_told = visits;
+}
+
+struct slope {
+    double kb_h, noise_kb_h; /* with its standard error */
+    double kb_thousand;      /* visits */
+};
+
+static struct slope slope_of(const struct gauge_window *windows, int count, bool used)
+{
+    double s = 0, y = 0, ss = 0, sy = 0, rest = 0;
+    for (int i = 0; i < count; i++) {
+        s += windows[i].s / count;
+        y += (used ? windows[i].used_kb : windows[i].resident_kb) / count;
+    }
+    for (int i = 0; i < count; i++) {
+        double ds = windows[i].s - s;
+        ss += ds * ds;
+        sy += ds * ((used ? windows[i].used_kb : windows[i].resident_kb) - y);
+    }
+    double rise = ss > 0 ? sy / ss : 0;
+    for (int i = 0; i < count; i++) {
+        double off = (used ? windows[i].used_kb : windows[i].resident_kb) - y - rise * (windows[i].s - s);
+        rest += off * off;
+    }
+    double visits = (double)(windows[count - 1].visits - windows[0].visits);
+    double length = windows[count - 1].s - windows[0].s;
+    return (struct slope){3600 * rise, count > 2 ? 3600 * sqrt(rest / (count - 2) / ss) : 0,
+                          visits > 0 ? 1000 * rise * length / visits : 0};
+}
+
+static void judge_memory(struct gauge *gauge, struct soak *soak, bool slopes)
+{
+    int warm = (int)ceil(WARM * gauge->count), count = gauge->count - 1 - warm; /* the last one is not full */
+    for (int used = 0; used < 2 && count > 2; used++) {
+        struct slope slope = slope_of(gauge->windows + warm, count, used);
+        const char *name = used ? "malloc" : "RSS";
+        soak_say("%s: %+.0f KB an hour (standard error %.0f), %+.1f KB a thousand visits, over %d windows of %.0f s",
+                 name, slope.kb_h, slope.noise_kb_h, slope.kb_thousand, count, gauge->window_s);
+        if (slopes && slope.kb_h - 2 * slope.noise_kb_h > MOST_KB_H && slope.kb_thousand > MOST_KB_THOUSAND) {
+            soak_fail(soak, "%s grows by %.0f KB an hour, %.1f KB a thousand visits", name, slope.kb_h,
+                      slope.kb_thousand);
+        }
+    }
+    for (int i = warm + 1; i < warm + count; i++) {
+        const struct gauge_window *now = &gauge->windows[i], *then = &gauge->windows[warm];
+        if (slopes && (now->descriptors > then->descriptors || now->threads > then->threads)) {
+            soak_fail(soak, "at %.0f s: %d descriptors and %d threads, at first %d and %d", now->s, now->descriptors,
+                      now->threads, then->descriptors, then->threads);
+            break;
+        }
+    }
+}
+
+void gauge_judge(struct gauge *gauge, struct soak *soak, bool slopes)
+{
+    struct display_frames frames = display_frames(soak->display);
+    double p95[2] = {percentile(&gauge->tick, 0.95), percentile(&gauge->flip, 0.95)};
+    judge_memory(gauge, soak, slopes);
+    soak_say("delays of %lld actions: to the tick p50 %d p95 %.0f ms, of %lld to the frame p50 %d p95 %.0f ms",
+             (long long)gauge->tick.total, percentile(&gauge->tick, 0.5), p95[0], (long long)gauge->flip.total,
+             percentile(&gauge->flip, 0.5), p95[1]);
+    soak_say("%llu frames in %.0f s, %.2f %% of vertical blanks missed", (unsigned long long)frames.presented,
+             soak_s(soak), 100.0 * (double)frames.missed / (double)(frames.presented + frames.missed + 1));
+    soak_say("the gallery had %d pictures and %.0f KB at most", gauge->kept_most, (double)gauge->bytes_most / 1024);
+    if (gauge->tick.total == 0 || gauge->flip.total == 0 || p95[0] > TICK_MS_MOST || p95[1] > FLIP_MS_MOST) {
+        soak_fail(soak, "an action must reach its tick in %.0f ms and its frame in %.0f, 95 of 100", TICK_MS_MOST,
+                  FLIP_MS_MOST);
+    }
+    if (gauge->kept_most < 1 || gauge->kept_most > SOAK_PICTURES + 1 ||
+        gauge->bytes_most > (SOAK_MEGABYTES << 20) + (SOAK_MEGABYTES << 20) / 4) {
+        soak_fail(soak, "the gallery may keep %d pictures and %d MB, and one more for a moment", SOAK_PICTURES,
+                  SOAK_MEGABYTES);
+    }
+    if (gauge->quiet_turns < 10 || gauge->kept_seen < 1) {
+        soak_fail(soak, "attract was seen for %d turns, writes %d times", gauge->quiet_turns, gauge->kept_seen);
+    }
+}
