@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
+#include "exhibit_mark.h"
 #include "folder_watch.h"
 #include "pictures.h"
 
@@ -19,6 +20,8 @@ struct exhibit_watch {
     struct timespec looked;       /* its time when it was looked at last, without folders */
     uint64_t looked_us;
     struct timespec stamp; /* its time when it was read last */
+    uint64_t mark;         /* of all it was read from then */
+    bool wrong;            /* it could not be used then: whatever changes may mend it */
 
     bool reading; /* the thread is, or has, and was not joined */
     bool again;   /* something has changed meanwhile */
@@ -70,6 +73,7 @@ struct exhibit_watch *exhibit_watch_create(const char *path, const struct exhibi
     }
     watch->folders = folder_watch_create();
     watch->stamp = watch->looked = stamp_of(path);
+    watch->mark = exhibit_mark(path, exhibit);
     watch_folders(watch, exhibit);
     return watch;
 }
@@ -140,10 +144,19 @@ static double took_ms(struct exhibit_watch *watch, uint64_t now_us)
                : 1e-3 * (double)(now_us - watch->noticed_us) + FOLDER_WATCH_SETTLE_MS;
 }
 
-enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_us, struct exhibit **exhibit,
-                                     char **report)
+/* Whether what has changed concerns the exhibit as it is now. */
+static bool concerns(struct exhibit_watch *watch, const struct exhibit *now)
 {
-    watch->again = has_changed(watch, now_us) || watch->again;
+    uint64_t mark = exhibit_mark(watch->path, now);
+    bool other = mark != watch->mark || watch->wrong;
+    watch->mark = mark;
+    return other;
+}
+
+enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_us, const struct exhibit *now,
+                                     struct exhibit **exhibit, char **report)
+{
+    watch->again = (has_changed(watch, now_us) && concerns(watch, now)) || watch->again;
     if (!watch->reading && watch->again) {
         begin(watch, now_us);
     }
@@ -157,9 +170,11 @@ enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_u
     *report = watch->report;
     watch->exhibit = NULL;
     watch->report = NULL;
-    if (!*exhibit) {
+    watch->wrong = !*exhibit;
+    if (watch->wrong) {
         return EXHIBIT_WRONG;
     }
+    watch->mark = exhibit_mark(watch->path, *exhibit);
     watch_folders(watch, *exhibit);
     return EXHIBIT_READ;
 }

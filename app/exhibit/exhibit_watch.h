@@ -1,7 +1,7 @@
 /* Keeps an eye on the file of an exhibit, and on the folders of its pictures and sessions: when something in them
  * changes, the exhibit is read again, on a thread of its own, since pictures take their time.
  *
- *     switch (exhibit_watch_news(watch, now_us, &exhibit, &report)) ...      every frame; costs nothing
+ *     switch (exhibit_watch_news(watch, now_us, now, &exhibit, &report)) ...      every frame; costs nothing
  */
 #ifndef FROND_EXHIBIT_WATCH_H
 #define FROND_EXHIBIT_WATCH_H
@@ -23,8 +23,9 @@ enum exhibit_news {
 struct exhibit_watch *exhibit_watch_create(const char *path, const struct exhibit *exhibit);
 /* Waits for a reading that is under way. Takes NULL. */
 void exhibit_watch_destroy(struct exhibit_watch *watch);
-enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_us, struct exhibit **exhibit,
-                                     char **report);
+/* `now`: the exhibit that there is. */
+enum exhibit_news exhibit_watch_news(struct exhibit_watch *watch, uint64_t now_us, const struct exhibit *now,
+                                     struct exhibit **exhibit, char **report);
 /* From the writing of the file to the news, the last time, ms. */
 double exhibit_watch_ms(const struct exhibit_watch *watch);
 

@@ -164,9 +164,17 @@ bool journal_open(struct journal_reader *reader, const void *data, size_t size, 
 bool journal_next(struct journal_reader *reader, struct journal_record *record);
 void journal_close(struct journal_reader *reader); /* may be done twice; a zeroed one may be closed */
 
-/* Goes on with a journal after the records that a reader has read: what is written belongs behind its first
- * `reader->good` bytes. */
-void journal_continue(struct journal_writer *writer, const struct journal_reader *reader);
+/* A place between two records. */
+struct journal_place {
+    uint64_t good, records; /* bytes and number of the records before */
+    uint32_t crc;
+    int64_t ticked;
+    int rasters;
+};
+/* Behind what a reader has read. */
+struct journal_place journal_place_of(const struct journal_reader *reader);
+/* Goes on with a journal: what is written belongs behind its first `place->good` bytes. */
+void journal_continue(struct journal_writer *writer, const struct journal_place *place);
 
 const char *journal_kind_name(enum journal_kind kind);
 

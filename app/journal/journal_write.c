@@ -329,13 +329,18 @@ void journal_taken(struct journal_writer *writer, size_t size)
     writer->out.size -= size;
 }
 
-void journal_continue(struct journal_writer *writer, const struct journal_reader *reader)
+struct journal_place journal_place_of(const struct journal_reader *reader)
 {
-    *writer = (struct journal_writer){.crc = reader->crc,
-                                      .written = reader->good,
-                                      .records = reader->records,
-                                      .ticked = reader->ticked,
-                                      .raster_first = reader->raster_count};
+    return (struct journal_place){reader->good, reader->records, reader->crc, reader->ticked, reader->raster_count};
+}
+
+void journal_continue(struct journal_writer *writer, const struct journal_place *place)
+{
+    *writer = (struct journal_writer){.crc = place->crc,
+                                      .written = place->good,
+                                      .records = place->records,
+                                      .ticked = place->ticked,
+                                      .raster_first = place->rasters};
 }
 
 void journal_finish(struct journal_writer *writer)

@@ -4,6 +4,15 @@
 
 static const char NAME[] = "the journal";
 
+static void read_next(struct player *player)
+{
+    player->done = journal_place_of(&player->reader);
+    player->has_next = journal_next(&player->reader, &player->next);
+    if (!player->has_next) {
+        player->done = journal_place_of(&player->reader);
+    }
+}
+
 static bool goes_back(enum action_verb verb)
 {
     return verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
@@ -149,7 +158,7 @@ bool player_open(struct player *player, const void *data, size_t size, struct ea
     if (!journal_open(&player->reader, data, size, &reason)) {
         return file_fail(error, NAME, "%s", reason.text);
     }
-    player->has_next = journal_next(&player->reader, &player->next);
+    read_next(player);
     return true;
 }
 
@@ -163,7 +172,7 @@ bool player_resume(struct player *player, const void *data, size_t size, const s
         if (player->next.kind == JOURNAL_SHEET || player->next.kind == JOURNAL_SCENE) {
             player->sheet = player->next.sheet;
         }
-        player->has_next = journal_next(&player->reader, &player->next);
+        read_next(player);
     }
     player->ticked = place->ticked;
     player->resumed = true;
@@ -186,7 +195,7 @@ bool player_tick(struct player *player, struct file_error *error)
         if (!take(player, &player->next, error)) {
             return false;
         }
-        player->has_next = journal_next(&player->reader, &player->next);
+        read_next(player);
     }
     if (player->ticked >= player->last || !player->engine) {
         return false;

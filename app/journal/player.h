@@ -23,6 +23,7 @@ struct player {
     int sheets, actions;        /* so far */
     struct journal_record next; /* what is done next, at next.ticked */
     bool has_next;
+    struct journal_place done; /* behind what was done last: before `next` and what it declares */
     /* The inside. */
     struct history *history; /* NULL: nothing is taken back */
     bool goes_back, resumed;

@@ -17,7 +17,9 @@ struct live_def {
     bool open;               /* a kiosk: whatever its schedule says */
     const char *state;       /* folder that a kiosk may write to; NULL: none */
     const struct inputs *inputs; /* what visitors do; NULL: the default (inputs.h) */
+    const char *trouble;         /* why the exhibit's file cannot be used and this one stands in for it; NULL: it can */
     bool hold;                   /* on a screen: no key reaches the system (source_touch.h) */
+    const char *console;         /* with `hold`: the VT that takes no keys either; NULL: none */
     int rotation;                /* of the display, degrees clockwise: fingers turn along */
     const char *shot;            /* PNG of the last frame, written at the end; NULL: none */
     int64_t frames;              /* end after so many; 0: when told to */

@@ -18,12 +18,16 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
     const struct sources_def sources = {.inputs = inputs,
                                         .touch = screen,
                                         .hold = screen && def->hold,
+                                        .console = def->console,
                                         .rotation = def->rotation,
                                         .width = size.width,
                                         .height = size.height};
     input->sources = sources_create(&sources);
-    input->controls = controls_create(
-        &(struct controls_def){inputs, script->ink_count, script->coefficients, def->seats, def->seat_count});
+    input->controls = controls_create(&(struct controls_def){.inputs = inputs,
+                                                             .inks = script->ink_count,
+                                                             .coefficients = script->coefficients,
+                                                             .seats = def->seats,
+                                                             .seat_count = def->seat_count});
     input->lamps.inputs = inputs;
     if (!input->sources || !input->controls) {
         return false;

@@ -29,6 +29,7 @@ struct live_input_def {
     const struct inputs *inputs;      /* NULL: the default ones; else the caller's, which outlive this */
     int rotation;                     /* of the display, degrees clockwise */
     bool hold;                        /* on a screen: no key reaches the system */
+    const char *console;              /* with `hold`: the VT that takes no keys (source_touch.h); NULL: none */
     const struct exhibit_seat *seats; /* copied; NULL: one */
     int seat_count;
     struct kiosk *kiosk; /* as above */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "bench.h"
 #include "script_sheet.h"
@@ -27,13 +28,16 @@ static void say(struct live_kiosk *kiosk, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(kiosk->line, sizeof kiosk->line, format, arguments);
     va_end(arguments);
+    kiosk->level = LOG_LEVEL_INFO;
     kiosk->has_line = true;
 }
 
 static bool stage_post(void *context, const struct action *action, uint64_t event_us)
 {
     struct live_kiosk *kiosk = context;
-    return studio_post_event(kiosk->status.studio, action, event_us);
+    bool posted = studio_post_event(kiosk->status.studio, action, event_us);
+    kiosk->drops += posted && action->verb == ACTION_DROP && action->visitor > 0;
+    return posted;
 }
 
 static void stage_fresh(void *context)
@@ -48,6 +52,7 @@ static void stage_change(void *context, const struct script *script)
     struct live_kiosk *kiosk = context;
     studio_change(kiosk->status.studio, script);
     kiosk->other = true;
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
 }
 
 static void stage_keep(void *context)
@@ -83,11 +88,22 @@ void live_kiosk_fit(struct exhibit *exhibit, int width, int height)
     }
 }
 
-static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit)
+static bool same_gallery(const struct exhibit_gallery *a, const struct exhibit_gallery *b)
+{
+    return a->pictures == b->pictures && a->megabytes == b->megabytes &&
+           (a->folder && b->folder ? strcmp(a->folder, b->folder) == 0 : a->folder == b->folder);
+}
+
+/* `before`: what was shown until now, or NULL. The same gallery stays open: to close one waits for what it writes. */
+static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit, const struct exhibit *before)
 {
     char folder[1200];
+    if (before && same_gallery(&exhibit->gallery, &before->gallery)) {
+        return;
+    }
     gallery_destroy(kiosk->gallery);
     kiosk->gallery = NULL;
+    kiosk->keep = false;
     if (kiosk->state && exhibit->gallery.folder) {
         snprintf(folder, sizeof folder, "%s/%s", kiosk->state, exhibit->gallery.folder);
         kiosk->gallery = gallery_create(&(struct gallery_def){.folder = folder,
@@ -112,13 +128,27 @@ static bool open_input(struct live_kiosk *kiosk, const struct exhibit *exhibit)
     return good;
 }
 
+/* The exhibit's file is wrong, and why. */
+static void refuse(struct live_kiosk *kiosk, const char *what, const char *report)
+{
+    kiosk_trouble(kiosk->kiosk, report);
+    say(kiosk, "%s:\n%.1100s", what, report);
+    kiosk->level = LOG_LEVEL_WARNING;
+    kiosk->errors++;
+    kiosk->wrong = true;
+}
+
 bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def, const struct live_status_def *status,
                      struct live_picture *picture, struct live_input *input, const struct live_input_def *input_def,
                      const struct shader_folder *folder)
 {
     struct display_size size = display_sheet(status->display);
-    *kiosk = (struct live_kiosk){
-        .status = *status, .picture = picture, .input = input, .state = def->state, .clock = def->clock};
+    *kiosk = (struct live_kiosk){.status = *status,
+                                 .picture = picture,
+                                 .input = input,
+                                 .state = def->state,
+                                 .painting = def->painting,
+                                 .clock = def->clock};
     kiosk->input_def = *input_def;
     kiosk->input_def.clock = def->clock;
     live_overlay_init(&kiosk->overlay, folder);
@@ -138,7 +168,12 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
     if (!kiosk->kiosk || !kiosk->watch) {
         return false;
     }
-    open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    if (def->trouble) {
+        refuse(kiosk, "the exhibit cannot be shown, and another one stands in for it until it can", def->trouble);
+    }
+    open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+    kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
 }
 
@@ -169,7 +204,7 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     kiosk_trouble(kiosk->kiosk, NULL);
     bool same = same_hands(kiosk_shows(kiosk->kiosk), exhibit);
     kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
-    open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
     if (same) { /* the inputs in use become the new exhibit's */
         struct inputs *inputs = exhibit->inputs;
         exhibit->inputs = kiosk->before->inputs;
@@ -180,6 +215,8 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     }
     say(kiosk, "%s: taken up %.0f ms after it was changed%s", kiosk_shows(kiosk->kiosk)->path,
         exhibit_watch_ms(kiosk->watch), same ? "" : ", with other inputs");
+    kiosk->reloads++;
+    kiosk->wrong = false;
 }
 
 static void look_at_file(struct live_kiosk *kiosk)
@@ -193,13 +230,12 @@ static void look_at_file(struct live_kiosk *kiosk)
         }
         return;
     }
-    switch (exhibit_watch_news(kiosk->watch, real_us(), &exhibit, &report)) {
+    switch (exhibit_watch_news(kiosk->watch, real_us(), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
     case EXHIBIT_READ:
         take_up(kiosk, exhibit);
         break;
     case EXHIBIT_WRONG:
-        kiosk_trouble(kiosk->kiosk, report);
-        say(kiosk, "the exhibit stays as it was:\n%.1100s", report);
+        refuse(kiosk, "the exhibit stays as it was", report);
         free(report);
         break;
     default:
@@ -219,6 +255,10 @@ void live_kiosk_run(struct live_kiosk *kiosk)
         live_care_change(kiosk->status.care, script);
         kiosk->other = false;
     }
+    if (kiosk_is_visited(kiosk->kiosk) != kiosk->visited) {
+        kiosk->visited = !kiosk->visited;
+        live_keep_visit(kiosk->painting, kiosk->visited);
+    }
     look_at_file(kiosk);
 }
 
@@ -233,10 +273,17 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
+        char journal[40];
+        int fd = live_keep_journal(kiosk->painting);
+        snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);
         gallery_keep(kiosk->gallery, &(struct gallery_picture){.rgb = rgb,
                                                                .width = width,
                                                                .height = height,
-                                                               .unix_s = (int64_t)live_clock_wall(&kiosk->clock)});
+                                                               .unix_s = (int64_t)live_clock_wall(&kiosk->clock),
+                                                               .journal = fd >= 0 ? journal : NULL});
+        if (fd >= 0) {
+            close(fd);
+        }
     }
 }
 
@@ -279,7 +326,7 @@ static void note_visit(struct live_kiosk *kiosk)
     }
 }
 
-bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
+bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size, enum log_level *level)
 {
     if (kiosk->kiosk && !kiosk->has_line) {
         note_visit(kiosk);
@@ -287,6 +334,11 @@ bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
     if (kiosk->has_line) {
         snprintf(line, (size_t)size, "%s", kiosk->line);
         kiosk->has_line = false;
+        *level = kiosk->level;
+        return true;
+    }
+    *level = LOG_LEVEL_NOTICE;
+    if (kiosk->kiosk && live_keep_log(kiosk->painting, line, size)) {
         return true;
     }
     return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);

@@ -8,6 +8,8 @@
 #include "live_input.h"
 #include "live_kiosk.h"
 #include "live_picture.h"
+#include "live_service.h"
+#include "log.h"
 #include "studio.h"
 
 struct live {
@@ -18,6 +20,9 @@ struct live {
     struct live_picture picture;
     struct live_care care;
     struct live_input input;
+    struct live_keep painting;
+    struct live_service service;
+    struct log log;
     struct live_kiosk kiosk; /* without an exhibit it does nothing */
     struct shader_folder folder;
     struct engine_choice choice;

@@ -10,6 +10,7 @@ static const float FADE = 0.5f; /* s from nothing to all */
 static const float CALM = 0.6f; /* s that hands have been away until the palette comes back */
 static const float HIDE = 1;    /* s that they are busy at least until it goes: with CALM and FADE this bounds the rate
                                    at which anything changes, far below three flashes a second */
+static const float REST = 4;    /* s that it has not been touched until it is as at rest */
 static const float FELT = 0.3f; /* how visible it must be to take a finger */
 enum { NO_BUTTON = -1, NO_PANEL = -1 };
 
@@ -21,12 +22,6 @@ static float seconds(uint64_t from_us, uint64_t to_us)
 static float clamp(float value)
 {
     return fminf(fmaxf(value, 0), 1);
-}
-
-static void reset_panel(struct hud *hud, int panel)
-{
-    struct hud_panel *of = &hud->panels[panel];
-    *of = (struct hud_panel){.open = -1, .scanned = -1, .busy_opacity = 1};
 }
 
 /* What is chosen must still be offered. */
@@ -86,7 +81,7 @@ void hud_layout(struct hud *hud)
     int count = exhibit->seat_count < EXHIBIT_SEATS ? exhibit->seat_count : EXHIBIT_SEATS;
     hud->mm = (float)hud->def.width / (exhibit->display.width > 0 ? exhibit->display.width : 530);
     for (; hud->count < count; hud->count++) {
-        reset_panel(hud, hud->count);
+        hud->panels[hud->count] = (struct hud_panel){.open = -1, .scanned = -1, .busy_opacity = 1};
     }
     hud->count = count;
     check_language(hud);
@@ -110,10 +105,15 @@ void hud_reset(struct hud *hud)
 {
     for (int i = 0; i < hud->count; i++) {
         struct hud_panel *of = &hud->panels[i], old = *of;
-        reset_panel(hud, i);
-        of->busy = old.busy;
-        of->busy_us = old.busy_us;
-        of->busy_opacity = old.busy_opacity;
+        *of = (struct hud_panel){.open = -1,
+                                 .scanned = -1,
+                                 .busy = old.busy,
+                                 .busy_us = old.busy_us,
+                                 .busy_opacity = old.busy_opacity,
+                                 .held = old.held,
+                                 .held_us = old.held_us,
+                                 .left_us = old.left_us,
+                                 .held_solid = old.held_solid};
     }
     hud->seated = false;
     hud->language = hud->def.exhibit->language_count > 0 ? hud->def.exhibit->languages[0] : 0;
@@ -159,9 +159,34 @@ static float visibility(const struct hud *hud, int panel, uint64_t now_us)
     return fminf(visit_opacity(hud, now_us), hands_opacity(hud, panel, now_us));
 }
 
+/* 0 as at rest, 1 solid. */
+static float solid(const struct hud_panel *of, uint64_t now_us)
+{
+    uint64_t until_us = of->left_us + (uint64_t)(REST * 1e6f);
+    if (of->held || now_us <= until_us) {
+        return clamp(of->held_solid + seconds(of->held_us, now_us) / FADE);
+    }
+    float most = clamp(of->held_solid + seconds(of->held_us, until_us) / FADE);
+    return clamp(most - seconds(until_us, now_us) / FADE);
+}
+
+static void hold(struct hud_panel *of, uint64_t now_us)
+{
+    of->held_solid = solid(of, now_us);
+    of->held_us = now_us;
+    of->held = true;
+}
+
+static void let_go(struct hud_panel *of, uint64_t now_us)
+{
+    of->held = false;
+    of->left_us = now_us;
+}
+
 float hud_opacity(const struct hud *hud, int panel, uint64_t now_us)
 {
-    return visibility(hud, panel, now_us) * clamp(hud->def.exhibit->palette.opacity);
+    float rest = clamp(hud->def.exhibit->palette.opacity);
+    return visibility(hud, panel, now_us) * (rest + (1 - rest) * solid(&hud->panels[panel], now_us));
 }
 
 void hud_show(struct hud *hud, bool shown, uint64_t now_us)
@@ -170,6 +195,10 @@ void hud_show(struct hud *hud, bool shown, uint64_t now_us)
         hud->shown_opacity = visit_opacity(hud, now_us);
         hud->shown = shown;
         hud->shown_us = now_us;
+        for (int i = 0; i < hud->count && shown; i++) {
+            hold(&hud->panels[i], now_us);
+            let_go(&hud->panels[i], now_us);
+        }
     }
 }
 
@@ -197,14 +226,23 @@ static int timeout_of(float from, bool up, uint64_t since_us, float wait, uint64
     return gone >= wait ? 0 : (int)ceilf(1000 * (wait - gone));
 }
 
+static int sooner(int a, int b)
+{
+    return a < 0 ? b : b < 0 || a < b ? a : b;
+}
+
 int hud_timeout_ms(const struct hud *hud, uint64_t now_us)
 {
+    bool rests = hud->def.exhibit->palette.opacity < 1;
     int least = timeout_of(hud->shown_opacity, hud->shown, hud->shown_us, 0, now_us);
     for (int i = 0; i < hud->count; i++) {
         const struct hud_panel *of = &hud->panels[i];
         float wait = of->busy ? fmaxf(hud->def.exhibit->visit.hide, HIDE) : CALM;
-        int timeout = timeout_of(of->busy_opacity, !of->busy, of->busy_us, wait, now_us);
-        least = timeout >= 0 && (least < 0 || timeout < least) ? timeout : least;
+        least = sooner(least, timeout_of(of->busy_opacity, !of->busy, of->busy_us, wait, now_us));
+        if (rests && hud->shown) {
+            least = sooner(least, timeout_of(of->held_solid, true, of->held_us, 0, now_us));
+            least = sooner(least, of->held ? -1 : timeout_of(1, false, of->left_us, REST, now_us));
+        }
     }
     return least;
 }
@@ -366,6 +404,18 @@ static int button_at(const struct hud *hud, int panel, float x, float y)
     return NO_BUTTON;
 }
 
+static void leave(struct hud *hud, struct hud_finger *finger, uint64_t now_us)
+{
+    bool others = false;
+    finger->used = false;
+    for (int i = 0; i < HUD_FINGERS; i++) {
+        others = others || (hud->fingers[i].used && hud->fingers[i].panel == finger->panel);
+    }
+    if (!others && finger->panel >= 0 && finger->panel < hud->count) {
+        let_go(&hud->panels[finger->panel], now_us);
+    }
+}
+
 /* A finger comes down. Returns whether it is the palette's. */
 static bool come_down(struct hud *hud, const struct event *event, float x, float y)
 {
@@ -380,6 +430,9 @@ static bool come_down(struct hud *hud, const struct event *event, float x, float
     struct hud_finger *finger = unused(hud);
     if (!finger) {
         return false;
+    }
+    if (panel != NO_PANEL) {
+        hold(&hud->panels[panel], event->time_us);
     }
     int button = button_at(hud, panel, x, y);
     *finger = (struct hud_finger){true, event->source, event->slot, panel, button, button != NO_BUTTON};
@@ -396,7 +449,7 @@ bool hud_feel(struct hud *hud, const struct event *event, struct hud_press *pres
     struct hud_finger *finger = find(hud, event);
     if (event->kind == EVENT_DOWN) {
         if (finger) { /* its end was lost */
-            finger->used = false;
+            leave(hud, finger, event->time_us);
         }
         return come_down(hud, event, x, y);
     }
@@ -406,7 +459,7 @@ bool hud_feel(struct hud *hud, const struct event *event, struct hud_press *pres
     const struct hud_button *button = button_of(hud, finger->panel, finger->button);
     finger->over = button && inside(x, y, button, 0.5f * HUD_GAP * hud->mm);
     if (event->kind != EVENT_MOVE) {
-        finger->used = false;
+        leave(hud, finger, event->time_us);
     }
     if (event->kind == EVENT_UP && finger->over) {
         *pressed = hud_press(hud, finger->panel, finger->button, event->time_us, press);

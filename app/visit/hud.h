@@ -57,6 +57,10 @@ struct hud_panel {
     bool busy;                 /* hands are: it is out of the way */
     uint64_t busy_us;          /* since when they are, or are not */
     float busy_opacity;        /* then, 0..1 */
+    bool held;                 /* a finger is on it: it is solid, and stays so for a while after */
+    uint64_t held_us;          /* since when a finger is, or was */
+    uint64_t left_us;          /* when the last one left */
+    float held_solid;          /* at held_us: 0 as at rest, 1 solid */
 };
 
 struct hud_def {
@@ -123,7 +127,8 @@ bool hud_enabled(const struct hud *hud, int panel, int button);
 bool hud_busy(struct hud *hud, int seat, bool busy, uint64_t now_us);
 /* The seat whose zone holds a point in 0..1 of the sheet; where there is none, the nearest. */
 int hud_seat(const struct hud *hud, float x, float y);
-/* How visible a panel is, 0..1, with fading: of the whole image. Changes no faster than twice a second. */
+/* How visible a panel is, 0..1, with fading: of the whole image. At rest the exhibit's palette.opacity; solid when it
+ * appears and while it is used. Its changes never flash: from least to most and back takes more than a second. */
 float hud_opacity(const struct hud *hud, int panel, uint64_t now_us);
 /* When hud_opacity changes next: 0 now (it is fading), -1 not by itself, else ms. */
 int hud_timeout_ms(const struct hud *hud, uint64_t now_us);

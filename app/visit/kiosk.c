@@ -39,7 +39,13 @@ struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us)
     kiosk->attract = attract;
     kiosk->hours.open = true;
     kiosk->sheet = def->stage.sheet(def->stage.context).number;
-    visit_init(&kiosk->visit, kiosk->exhibit, now_us);
+    if (def->resume) {
+        kiosk->scene = def->scene;
+        kiosk->grounded = true;
+        visit_resume(&kiosk->visit, kiosk->exhibit, now_us);
+    } else {
+        visit_init(&kiosk->visit, kiosk->exhibit, now_us);
+    }
     kiosk_layout(kiosk);
     hud_reset(&kiosk->hud);
     return kiosk;
@@ -318,6 +324,9 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     visit_reload(&kiosk->visit, exhibit, now_us);
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk_scene(kiosk)->script);
     kiosk_obey(kiosk, now_us);
+    if (kiosk->attracting) { /* what paints itself begins anew; what a visitor has painted stays */
+        fresh_sheet(kiosk);
+    }
     return old;
 }
 
@@ -358,6 +367,11 @@ bool kiosk_leaves(const struct kiosk *kiosk)
 const char *kiosk_state(const struct kiosk *kiosk)
 {
     return visit_state_name(kiosk->visit.state);
+}
+
+bool kiosk_is_visited(const struct kiosk *kiosk)
+{
+    return kiosk->visit.painted && kiosk->visit.state != VISIT_ATTRACT && kiosk->visit.state != VISIT_CLOSED;
 }
 
 uint32_t kiosk_visits(const struct kiosk *kiosk)

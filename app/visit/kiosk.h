@@ -48,12 +48,14 @@ struct kiosk_def {
     uint64_t seed;           /* of the day: what paints by itself is another every time */
     time_t built;            /* of this program: a clock that is before it was never set */
     bool open;               /* whatever the schedule says */
+    bool resume;             /* in the middle of a visit in this scene: the sheet that there is has a painting */
+    int scene;
     struct kiosk_stage stage;
 };
 
 struct kiosk;
 
-/* In attract. NULL when memory is short; the exhibit is destroyed then. */
+/* In attract, or where it is to resume. NULL when memory is short; the exhibit is destroyed then. */
 struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us);
 void kiosk_destroy(struct kiosk *kiosk); /* takes NULL */
 
@@ -85,6 +87,8 @@ bool kiosk_staff(const struct kiosk *kiosk);
 /* The staff wants to leave. */
 bool kiosk_leaves(const struct kiosk *kiosk);
 const char *kiosk_state(const struct kiosk *kiosk); /* "attract", "painting", ... */
-uint32_t kiosk_visits(const struct kiosk *kiosk);   /* begun */
+/* Whether what is on the sheet is a visitor's. */
+bool kiosk_is_visited(const struct kiosk *kiosk);
+uint32_t kiosk_visits(const struct kiosk *kiosk); /* begun */
 
 #endif

@@ -122,8 +122,8 @@ static void write_labels(cairo_t *cairo, const struct hud_screen *screen, int sh
     for (int i = 0; i < LANGUAGES * SCENES; i++) {
         char text[80];
         snprintf(text, sizeof text, "%s: %s", words_languages[i % LANGUAGES].tag, SCENE_NAMES[i / LANGUAGES]);
-        cairo_move_to(cairo, GAP + i % LANGUAGES * (width + GAP),
-                      i / LANGUAGES * (height + GAP + LABEL) + GAP + LABEL - 5);
+        int column = i % LANGUAGES, row = i / LANGUAGES;
+        cairo_move_to(cairo, GAP + column * (width + GAP), GAP + LABEL - 5 + row * (height + GAP + LABEL));
         cairo_set_source_rgb(cairo, 1, 1, 1);
         cairo_show_text(cairo, text);
     }
@@ -158,8 +158,8 @@ static cairo_surface_t *draw_sheet(const struct hud_screen *screen, cairo_surfac
         draw_scene(screen, (enum scene)(i / LANGUAGES), i % LANGUAGES, inner);
         cairo_destroy(inner);
         cairo_save(cairo);
-        cairo_translate(cairo, GAP + i % LANGUAGES * (width + GAP),
-                        GAP + label + i / LANGUAGES * (height + GAP + label));
+        int column = i % LANGUAGES, row = i / LANGUAGES;
+        cairo_translate(cairo, GAP + column * (width + GAP), GAP + label + row * (height + GAP + label));
         cairo_rectangle(cairo, 0, 0, width, height);
         cairo_clip(cairo);
         cairo_scale(cairo, 1.0 / share, 1.0 / share);

@@ -279,25 +279,58 @@ static void it_is_out_of_the_way_while_hands_are_busy(void **state)
     hud_show(hud, false, t + 6 * S);
     assert_near(hud_opacity(hud, 0, t + 6 * S + S / 4), 0.5, 1e-3);
     assert_near(hud_opacity(hud, 1, t + 7 * S), 0, 1e-6);
-    place.place.exhibit.palette.opacity = 0.5f;
-    hud_show(hud, true, t + 8 * S);
-    assert_near(hud_opacity(hud, 1, t + 9 * S), 0.5, 1e-6);
+}
+
+static void it_is_solid_while_it_is_used(void **state)
+{
+    (void)state;
+    struct place place;
+    open_place(&place, 4, 2);
+    struct hud *hud = &place.hud;
+    uint64_t t = place.now_us;
+    place.place.exhibit.palette.opacity = 0.4f;
+    assert_near(hud_opacity(hud, 0, t), 0.4, 1e-6);
+    assert_int_equal(hud_timeout_ms(hud, t), -1);
+    assert_true(feel_button(&place, EVENT_DOWN, 0, 0, 0, 0));
+    assert_true(feel_button(&place, EVENT_DOWN, 1, 0, 1, 0));
+    assert_int_equal(hud_timeout_ms(hud, t), 0);
+    assert_near(hud_opacity(hud, 0, t + S / 4), 0.7, 1e-3);
+    place.now_us = t + S / 4;
+    assert_true(feel_button(&place, EVENT_UP, 0, 0, 0, 0)); /* one of two: it is still held */
+    assert_near(hud_opacity(hud, 0, t + 9 * S), 1, 1e-6);
+    assert_near(hud_opacity(hud, 1, t + S), 0.4, 1e-6);
+    place.now_us = t + 9 * S;
+    assert_true(feel_button(&place, EVENT_CANCEL, 1, 0, 1, 0));
+    assert_int_equal(hud_timeout_ms(hud, t + 9 * S), 4000);
+    assert_near(hud_opacity(hud, 0, t + 13 * S), 1, 1e-6);
+    assert_int_equal(hud_timeout_ms(hud, t + 13 * S), 0);
+    assert_near(hud_opacity(hud, 0, t + 13 * S + S / 4), 0.7, 1e-3);
+    assert_near(hud_opacity(hud, 0, t + 14 * S), 0.4, 1e-6);
+    assert_int_equal(hud_timeout_ms(hud, t + 14 * S), -1);
+    hud_show(hud, false, t + 20 * S); /* when it appears it is solid, too */
+    hud_show(hud, true, t + 22 * S);
+    assert_near(hud_opacity(hud, 1, t + 23 * S), 1, 1e-6);
+    assert_near(hud_opacity(hud, 1, t + 27 * S), 0.4, 1e-6);
 }
 
 /* WCAG 2.3.1: a flash is a pair of opposing changes of a tenth or more; three a second at most. Hands that come and go
- * at any rate, and an exhibit that says hide at once. */
+ * at any rate, on the sheet and on the palette, and an exhibit that says hide at once. */
 static void it_never_flashes(void **state)
 {
     (void)state;
     for (int period = 20; period < 4000; period += 20 + period / 10) { /* ms */
         struct place place;
         open_place(&place, 3, 1);
+        uint64_t begin = place.now_us;
         place.place.exhibit.visit.hide = 0;
+        place.place.exhibit.palette.opacity = 0.3f;
         float extreme = 1, last = 1;
         int turns[40] = {0}, sign = -1;
         for (int ms = 0; ms < 40000; ms += 10) {
-            uint64_t now = place.now_us + (uint64_t)ms * 1000;
+            uint64_t now = begin + (uint64_t)ms * 1000;
+            place.now_us = now;
             hud_busy(&place.hud, 0, ms / period % 2 == 0, now);
+            feel_button(&place, ms / period % 3 == 0 ? EVENT_DOWN : EVENT_UP, 0, 0, 0, 0);
             last = hud_opacity(&place.hud, 0, now);
             if ((float)sign * (last - extreme) > 0) {
                 extreme = last;
@@ -342,6 +375,7 @@ int main(void)
         cmocka_unit_test(groups_open_and_close),
         cmocka_unit_test(a_new_visit_finds_it_as_at_first),
         cmocka_unit_test(it_is_out_of_the_way_while_hands_are_busy),
+        cmocka_unit_test(it_is_solid_while_it_is_used),
         cmocka_unit_test(it_never_flashes),
         cmocka_unit_test(the_staffs_view_takes_every_finger),
     };

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include <math.h>
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "hud_case.h"
@@ -295,7 +295,7 @@ static void capitals_are_high_enough(void **state)
     assert_true(pen_open(&pen, SIDE, SIDE));
     const struct pen_words words = {"H", "en", (double)HUD_TEXT * MM, 0, true};
     pen_set(&pen, (struct pen_colour){0, 0, 0}, 1);
-    pen_write(&pen, &words, SIDE / 2, SIDE / 2);
+    pen_write(&pen, &words, 0.5 * SIDE, 0.5 * SIDE);
     assert_true(hud_image_end(&image, 1, 0, 0, &pen));
     int top = SIDE, bottom = 0;
     for (int y = 0; y < SIDE; y++) {
@@ -381,8 +381,11 @@ static void the_staffs_view_takes_any_lines(void **state)
     struct hud hud;
     struct hud_image image = {.rgba = NULL};
     char many[20000] = "";
+    size_t used = 0;
     for (int i = 0; i < 90; i++) {
-        strcat(many, "a name that is long enough to be cut somewhere\ta value \xff of no characters, \xd9\x82\n");
+        used += (size_t)snprintf(
+            many + used, sizeof many - used, "%s",
+            "a name that is long enough to be cut somewhere\ta value \xff of no characters, \xd9\x82\n");
     }
     open_hud(&hud, &place, 0, SIDE_OF_LEFT, 0);
     assert_true(hud_draw_status(&hud, "", &image));

@@ -274,7 +274,8 @@ static void it_goes_on_after_a_tear(void **state)
     struct bytes all = {.data = NULL};
     struct journal_writer later;
     bytes_put(&all, diary->writer.out.data, (size_t)reader.good);
-    journal_continue(&later, &reader);
+    struct journal_place place = journal_place_of(&reader);
+    journal_continue(&later, &place);
     journal_close(&reader);
     journal_restored(&later, later.ticked, 12);
     diary->count--;

@@ -1,0 +1,146 @@
+/* An exhibit's file is read again when something of it changes, and only then (app/exhibit/exhibit_watch.h). */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "exhibit_watch.h"
+
+struct place {
+    char folder[64], path[128];
+    struct exhibit *exhibit;
+    struct exhibit_watch *watch;
+};
+
+static void write_file(const struct place *place, const char *name, const char *text)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/%s", place->folder, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+static uint64_t now_us(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000 + (uint64_t)now.tv_nsec / 1000;
+}
+
+static struct place begin(void)
+{
+    struct place place = {.folder = "/tmp/frond-exhibit-XXXXXX"};
+    struct script_def def = script_default_def();
+    struct report report;
+    assert_non_null(mkdtemp(place.folder));
+    snprintf(place.path, sizeof place.path, "%s/exhibit.yaml", place.folder);
+    write_file(&place, "exhibit.yaml", "exhibit: 1\nsessions: [play.yaml]\n");
+    write_file(&place, "play.yaml", "frond: 1\nactions: [{tick: 0, drop: {at: [0.5, 0.5], ink: turquoise}}]\n");
+    report_init(&report, place.path);
+    place.exhibit = exhibit_read(place.path, &def, &report);
+    report_print(&report, stderr);
+    report_finish(&report);
+    assert_non_null(place.exhibit);
+    place.watch = exhibit_watch_create(place.path, place.exhibit);
+    assert_non_null(place.watch);
+    return place;
+}
+
+static void end(struct place *place)
+{
+    char command[200];
+    exhibit_watch_destroy(place->watch);
+    exhibit_destroy(place->exhibit);
+    snprintf(command, sizeof command, "rm -r %s", place->folder);
+    assert_int_equal(system(command), 0); /* NOLINT(cert-env33-c): a folder of our own */
+}
+
+/* The news within `ms`, as a kiosk looks for them; what was read becomes the place's. */
+static enum exhibit_news news(struct place *place, int ms, char **report)
+{
+    struct exhibit *exhibit = NULL;
+    uint64_t until = now_us() + (uint64_t)ms * 1000;
+    *report = NULL;
+    while (now_us() < until) {
+        enum exhibit_news what = exhibit_watch_news(place->watch, now_us(), place->exhibit, &exhibit, report);
+        if (what == EXHIBIT_READ) {
+            exhibit_destroy(place->exhibit);
+            place->exhibit = exhibit;
+        }
+        if (what != EXHIBIT_SAME) {
+            return what;
+        }
+        nanosleep(&(struct timespec){0, 5000000}, NULL);
+    }
+    return EXHIBIT_SAME;
+}
+
+enum { SOON_MS = 5000, QUIET_MS = 700 };
+
+static void an_edit_is_read_and_a_wrong_one_told(void **state)
+{
+    (void)state;
+    struct place place = begin();
+    char *report;
+    assert_int_equal(news(&place, QUIET_MS, &report), EXHIBIT_SAME);
+    write_file(&place, "exhibit.yaml", "exhibit: 1\nvisit: {idle: 20}\nsessions: [play.yaml]\n");
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_READ);
+    assert_float_equal(place.exhibit->visit.idle, 20, 0);
+    assert_true(exhibit_watch_ms(place.watch) >= 100);
+    write_file(&place, "exhibit.yaml", "exhibit: 1\nvisit: {idle: 1}\nsessions: [play.yaml]\n");
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_WRONG);
+    assert_non_null(strstr(report, ":2:15: visit.idle: 1 is out of range; 5 to 3600 s"));
+    free(report);
+    write_file(&place, "exhibit.yaml", "exhibit: 1\nvisit: {idle: 30}\nsessions: [play.yaml]\n");
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_READ);
+    assert_float_equal(place.exhibit->visit.idle, 30, 0);
+    end(&place);
+}
+
+static void a_session_of_its_own_counts_and_other_files_do_not(void **state)
+{
+    (void)state;
+    struct place place = begin();
+    char *report;
+    write_file(&place, "notes.txt", "buy ink");
+    assert_int_equal(news(&place, QUIET_MS, &report), EXHIBIT_SAME);
+    write_file(&place, "play.yaml", "frond: 1\nactions: [{tick: 9, drop: {at: [0.5, 0.5], ink: turquoise}}]\n");
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_READ);
+    assert_int_equal(place.exhibit->recorded[0]->actions[0].tick, 9);
+    end(&place);
+}
+
+static void what_was_missing_mends_it_when_it_comes(void **state)
+{
+    (void)state;
+    struct place place = begin();
+    char *report;
+    write_file(&place, "exhibit.yaml", "exhibit: 1\nsessions: [play.yaml, more.yaml]\n");
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_WRONG);
+    free(report);
+    write_file(&place, "more.yaml", "frond: 1\nactions: [{tick: 3, drop: {at: [0.5, 0.5], ink: turquoise}}]\n");
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_READ);
+    assert_int_equal(place.exhibit->session_count, 2);
+    end(&place);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_edit_is_read_and_a_wrong_one_told),
+        cmocka_unit_test(a_session_of_its_own_counts_and_other_files_do_not),
+        cmocka_unit_test(what_was_missing_mends_it_when_it_comes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
