@@ -173,6 +173,7 @@ int main(int count, char **arguments)
         fprintf(stderr, "soak [--minutes N | --seconds N] [--seed N] [--aloud]\n");
         return 2;
     }
+    setvbuf(stdout, NULL, _IOLBF, 0);
     bool good = run(&soak, &order);
     soak_close(&soak);
     soak_say("%s", good ? "the soak is passed" : "the soak has failed");

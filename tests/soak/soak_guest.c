@@ -148,7 +148,7 @@ static void wait(struct guest *guest, struct soak *soak)
         return;
     }
     bool gone = strcmp(state, "attract") == 0 || strcmp(state, "closed") == 0;
-    bool meets = strcmp(state, "washing") == 0 && soak_random(soak, 60) == 0; /* the next one is already there */
+    bool meets = strcmp(state, "washing") == 0 && soak_random(soak, 8) == 0; /* the next one is already there */
     if (waited > PATIENCE_S) {
         soak_fail(soak, "%.0f s after a visitor has gone the visit is stuck in %s", waited, state);
         gone = true;

@@ -18,7 +18,7 @@
 enum {
     DISK_KB = 70 << 10, /* the gallery leaves 64 MB to others */
     REFRESH_MHZ = 60000,
-    TICKS_PER_SECOND = 100,
+    TICKS_PER_SECOND = 150,
     DEVICES = 2, /* of a source */
 };
 
