@@ -112,7 +112,7 @@ struct hall *hall_open_sized(const char *yaml, int width, int height)
                             .height = height,
                             .seed = 1,
                             .built = 1700000000,
-                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL}};
+                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL, NULL}};
     hall->kiosk = kiosk_create(&def, hall->now_us);
     assert_non_null(hall->kiosk);
     kiosk_controls(hall->kiosk, hall->controls);
