@@ -351,8 +351,8 @@ bool journal_next(struct journal_reader *reader, struct journal_record *record)
     bool given = false;
     while (!given && reader->ending == JOURNAL_GOES_ON) {
         struct cursor body;
-        uint64_t size;
-        uint32_t crc;
+        uint64_t size = 0;
+        uint32_t crc = 0;
         if (!next_body(reader, &body, &size, &crc)) {
             break;
         }
@@ -393,7 +393,7 @@ static bool refuse(struct journal_reader *reader, struct journal_error *error, c
 bool journal_open(struct journal_reader *reader, const void *data, size_t size, struct journal_error *error)
 {
     struct cursor body, start = cursor_over(data, size);
-    uint64_t length;
+    uint64_t length = 0;
     *reader = (struct journal_reader){.data = data, .size = size};
     const uint8_t *magic = cursor_take(&start, JOURNAL_MAGIC);
     if (!magic || memcmp(magic, journal_magic, JOURNAL_MAGIC) != 0) {
@@ -413,7 +413,7 @@ bool journal_open(struct journal_reader *reader, const void *data, size_t size, 
     if (!reader->verbs) {
         return refuse(reader, error, "memory is short for a journal");
     }
-    uint32_t crc;
+    uint32_t crc = 0;
     if (!next_body(reader, &body, &length, &crc) || cursor_u8(&body) != JOURNAL_HEAD) {
         return refuse(reader, error, "the head of the journal is broken");
     }
