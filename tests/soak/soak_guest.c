@@ -156,7 +156,7 @@ static void wait(struct guest *guest, struct soak *soak)
     if (gone || meets) {
         guest->longest_s = waited > guest->longest_s ? waited : guest->longest_s;
         guest->state = GUEST_AWAY;
-        guest->act_s = now + (soak_random(soak, 60) == 0 ? LONG_REST_S : REST_S * soak_random(soak, 100) / 100);
+        guest->act_s = now + (soak_random(soak, 25) == 0 ? LONG_REST_S : REST_S * soak_random(soak, 100) / 100);
     }
 }
 
