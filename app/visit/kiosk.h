@@ -88,6 +88,12 @@ void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint
 /* The sheet has another size. */
 void kiosk_resize(struct kiosk *kiosk, int width, int height);
 
+/* The scene of this id is shown as soon as nobody paints. False: the exhibit has none. */
+bool kiosk_want_scene(struct kiosk *kiosk, const char *id);
+enum kiosk_hours { KIOSK_BY_SCHEDULE, KIOSK_OPEN, KIOSK_CLOSED };
+/* Open or closed, whatever the schedule says, until told otherwise. */
+void kiosk_keep_hours(struct kiosk *kiosk, enum kiosk_hours hours);
+
 const struct exhibit *kiosk_shows(const struct kiosk *kiosk);
 const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk);
 /* The staff's view is up. */

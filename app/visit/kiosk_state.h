@@ -42,7 +42,9 @@ struct kiosk {
     bool dark;
     time_t time; /* of the last run */
     struct schedule_answer hours;
-    struct kiosk_hand { /* a finger on the sheet */
+    enum kiosk_hours told; /* from afar */
+    int wanted;            /* scene, 1..; 0: none */
+    struct kiosk_hand {    /* a finger on the sheet */
         bool used;
         int id, seat;
     } hands[KIOSK_HANDS];
