@@ -405,8 +405,8 @@ static const struct script_case BAD[] = {
            "  - {days: sat, open: 9:00}\n"),
      "s.yaml:3:5: schedule[0].close: missing; a time of day, 0:00 to 24:00\n"},
     {"a broker whose files are elsewhere, and names that are no part of a topic",
-     TEXT("exhibit: 1\n"
-          "mqtt: {host: a, topic: \"a/#\", name: b/c, group: \"+\", ca: /etc/ca.pem, key: ../key}\n"),
+     BYTES("exhibit: 1\n"
+           "mqtt: {host: a, topic: \"a/#\", name: b/c, group: \"+\", ca: /etc/ca.pem, key: ../key}\n"),
      "s.yaml:2:25: mqtt.topic: 'a/#' is no part of a topic; a text without + and #\n"
      "s.yaml:2:38: mqtt.name: 'b/c' is no part of a topic; a text without /, + and #\n"
      "s.yaml:2:50: mqtt.group: '+' is no part of a topic; a text without /, + and #\n"
