@@ -238,11 +238,16 @@ static bool read_raster(const struct journal_reader *reader, struct cursor *body
     return !body->failed;
 }
 
+static void store(struct action *action, const struct key *key, const void *value, size_t size)
+{
+    memcpy((char *)action + key->offset, value, size);
+}
+
 /* One parameter into the action. False: it makes no sense. `known` becomes false where the action cannot be done. */
 static bool read_parameter(struct journal_reader *reader, struct cursor *body, const struct key *key,
                            struct action *action, bool *known)
 {
-    char *at = (char *)action + key->offset, name[BYTES_TEXT];
+    char name[BYTES_TEXT];
     struct action_path path;
     struct action_raster raster = {.values = NULL};
     struct point point;
@@ -252,7 +257,7 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
     case JOURNAL_POINT:
         given = cursor_u8(body) != 0;
         point = (struct point){cursor_float(body), cursor_float(body)};
-        memcpy(at, &point, sizeof point);
+        store(action, key, &point, sizeof point);
         action->has_at = key->offset == offsetof(struct action, at) ? given : action->has_at;
         return isfinite(point.x) && isfinite(point.y);
     case JOURNAL_NAME:
@@ -261,23 +266,23 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
             reader->skipped++;
             *known = *known && key->type != KEY_COEFFICIENT;
         }
-        memcpy(at, &value, sizeof value);
+        store(action, key, &value, sizeof value);
         return true;
     case JOURNAL_INK:
         value = (int)cursor_u8(body);
-        memcpy(at, &value, sizeof value);
+        store(action, key, &value, sizeof value);
         return value < PAINTING_INKS;
     case JOURNAL_PATH:
         if (!read_path(reader, body, &path)) {
             return false;
         }
-        memcpy(at, &path, sizeof path);
+        store(action, key, &path, sizeof path);
         return true;
     case JOURNAL_RASTER_NUMBER:
         if (!read_raster(reader, body, &raster)) {
             return false;
         }
-        memcpy(at, &raster, sizeof raster);
+        store(action, key, &raster, sizeof raster);
         return true;
     default:
         journal_read_scalar(body, key, action);
@@ -313,6 +318,7 @@ static bool read_action(struct journal_reader *reader, struct cursor *body, stru
 /* False: nothing of it is for the caller. */
 static bool read_body(struct journal_reader *reader, struct cursor *body, struct journal_record *record)
 {
+    struct action action = {.verb = ACTION_VERBS};
     bool good = true;
     switch (record->kind) {
     case JOURNAL_SHEET:
@@ -329,9 +335,9 @@ static bool read_body(struct journal_reader *reader, struct cursor *body, struct
         declare(reader, body);
         return false;
     case JOURNAL_ACTION:
-        record->action.tick = record->ticked;
-        good = read_action(reader, body, &record->action);
-        record->action.tick = record->ticked;
+        good = read_action(reader, body, &action);
+        action.tick = record->ticked;
+        record->action = action;
         return good;
     case JOURNAL_RESTORED:
         record->lost = cursor_count(body, JOURNAL_TICKS_MAX);

@@ -293,7 +293,7 @@ static void put_parameter(struct bytes *out, const struct key *key, const struct
         put_path(out, &path);
         break;
     case JOURNAL_RASTER_NUMBER:
-        bytes_put_varint(out, (uint64_t)(raster + 1));
+        bytes_put_varint(out, (uint64_t)raster + 1); /* none is -1 */
         break;
     default:
         break;
