@@ -166,7 +166,8 @@ bool replay(const struct replay_def *def, struct progress *progress, struct repl
     if (!check(def, error) || !journal_file_read(def->journal, JOURNAL_FILE_MOST, &bytes, error)) {
         return false;
     }
-    bool good = player_open(&replaying.player, bytes.data, bytes.size, &replaying.easel, error) &&
+    struct player_maker maker = {easel_make, &replaying.easel};
+    bool good = player_open(&replaying.player, bytes.data, bytes.size, &maker, error) &&
                 play(&replaying, progress, error) && write_end(&replaying, error);
     struct file_error ignored;
     good = video_close(replaying.video, good, good ? error : &ignored) && good;

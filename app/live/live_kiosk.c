@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "bench.h"
 #include "script_sheet.h"
 
 static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are left to others */
@@ -13,6 +14,11 @@ static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are l
 static uint64_t now_us(const struct live_kiosk *kiosk)
 {
     return live_clock_us(&kiosk->clock);
+}
+
+static uint64_t real_us(void)
+{
+    return (uint64_t)(1e6 * bench_wall_s());
 }
 
 static void say(struct live_kiosk *kiosk, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -82,11 +88,22 @@ void live_kiosk_fit(struct exhibit *exhibit, int width, int height)
     }
 }
 
-static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit)
+static bool same_gallery(const struct exhibit_gallery *a, const struct exhibit_gallery *b)
+{
+    return a->pictures == b->pictures && a->megabytes == b->megabytes &&
+           (a->folder && b->folder ? strcmp(a->folder, b->folder) == 0 : a->folder == b->folder);
+}
+
+/* `before`: what was shown until now, or NULL. The same gallery stays open: to close one waits for what it writes. */
+static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit, const struct exhibit *before)
 {
     char folder[1200];
+    if (before && same_gallery(&exhibit->gallery, &before->gallery)) {
+        return;
+    }
     gallery_destroy(kiosk->gallery);
     kiosk->gallery = NULL;
+    kiosk->keep = false;
     if (kiosk->state && exhibit->gallery.folder) {
         snprintf(folder, sizeof folder, "%s/%s", kiosk->state, exhibit->gallery.folder);
         kiosk->gallery = gallery_create(&(struct gallery_def){.folder = folder,
@@ -154,7 +171,7 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
     if (def->trouble) {
         refuse(kiosk, "the exhibit cannot be shown, and another one stands in for it until it can", def->trouble);
     }
-    open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
     live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
     kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
@@ -187,7 +204,7 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     kiosk_trouble(kiosk->kiosk, NULL);
     bool same = same_hands(kiosk_shows(kiosk->kiosk), exhibit);
     kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
-    open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
     if (same) { /* the inputs in use become the new exhibit's */
         struct inputs *inputs = exhibit->inputs;
         exhibit->inputs = kiosk->before->inputs;
@@ -213,7 +230,7 @@ static void look_at_file(struct live_kiosk *kiosk)
         }
         return;
     }
-    switch (exhibit_watch_news(kiosk->watch, now_us(kiosk), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
+    switch (exhibit_watch_news(kiosk->watch, real_us(), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
     case EXHIBIT_READ:
         take_up(kiosk, exhibit);
         break;

@@ -88,6 +88,11 @@ struct engine *easel_engine(struct easel *easel, const struct painting_def *pain
     return engine;
 }
 
+struct engine *easel_make(void *easel, const struct painting_def *painting, struct file_error *error)
+{
+    return easel_engine(easel, painting, error);
+}
+
 void easel_close(struct easel *easel)
 {
     display_destroy(easel->display);

@@ -29,6 +29,8 @@ struct easel {
 /* An engine for this painting, of the kind that the easel stands for; `auto` is decided by the first. NULL with the
  * reason in `error`. The caller's, to be destroyed before the easel is closed. */
 struct engine *easel_engine(struct easel *easel, const struct painting_def *painting, struct file_error *error);
+/* The same for struct player_maker. */
+struct engine *easel_make(void *easel, const struct painting_def *painting, struct file_error *error);
 void easel_close(struct easel *easel); /* a zeroed one may be closed */
 
 /* A picture of a fixed size in pixels. */

@@ -17,7 +17,12 @@ void kiosk_layout(struct kiosk *kiosk)
 {
     int width = kiosk->def.width, height = kiosk->def.height, longer = width > height ? width : height;
     struct hud_def hud = {kiosk->exhibit, width, height, kiosk->scene};
-    hud_init(&kiosk->hud, &hud);
+    if (kiosk->hud.def.exhibit) { /* what is shown and chosen stays */
+        kiosk->hud.def = hud;
+        hud_layout(&kiosk->hud);
+    } else {
+        hud_init(&kiosk->hud, &hud);
+    }
     bool seated = kiosk->hud.seated;
     access_init(&kiosk->access, &kiosk->exhibit->access, radius_share(kiosk, width), radius_share(kiosk, height));
     kiosk->access.seated = seated;
@@ -68,8 +73,7 @@ void kiosk_destroy(struct kiosk *kiosk)
 static void choose_again(struct kiosk *kiosk)
 {
     for (int i = 0; kiosk->controls && i < kiosk->hud.count; i++) {
-        controls_set_tool(kiosk->controls, i, (enum exhibit_tool)kiosk->hud.panels[i].tool);
-        controls_set_ink(kiosk->controls, i, kiosk->hud.panels[i].ink);
+        kiosk_choose(kiosk, i);
     }
 }
 

@@ -63,6 +63,8 @@ void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us);
 /* Whether an event is something that somebody did. */
 bool kiosk_is_input(struct kiosk *kiosk, const struct event *event);
 
+/* Tells the controls what is chosen on a palette. */
+void kiosk_choose(struct kiosk *kiosk, int seat);
 /* Tells the palettes which hands are busy. */
 void kiosk_busy(struct kiosk *kiosk, uint64_t now_us);
 

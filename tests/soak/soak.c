@@ -105,7 +105,8 @@ static void judge(struct soak *soak, const struct guest *guest, const struct fau
 }
 
 /* No visitor, no fault: attract, with nothing left of what was. */
-static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *faults, struct gauge *gauge)
+static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *faults, struct gauge *gauge,
+                         struct chatter *chatter)
 {
     double from = soak_s(soak), calm_s = 0;
     bool going = true, rested = false;
@@ -115,6 +116,7 @@ static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *
         faults_turn(faults, soak);
         going = soak_turn(soak);
         gauge_turn(gauge, soak);
+        chatter_listen(chatter, soak_s(soak));
         const struct live_kiosk *kiosk = &soak->live.kiosk;
         bool calm = guest->state == GUEST_AWAY && faults_over(faults) && !kiosk->before && phantoms(soak) == 0 &&
                     strcmp(kiosk_state(kiosk->kiosk), "attract") == 0;
@@ -134,7 +136,8 @@ static bool run(struct soak *soak, const struct order *order)
     struct guest guest = {.state = GUEST_AWAY};
     struct faults faults;
     double told_s = 0;
-    if (!chatter_open(&chatter, order->aloud) || !soak_open(soak, order->seed) || !faults_init(&faults, soak) ||
+    if (!chatter_open(&chatter, order->aloud) || !soak_open(soak, order->seed) ||
+        !faults_init(&faults, soak, order->seconds < LONG_S ? 0.4 : 1) ||
         !gauge_open(&gauge, soak, order->seconds < LONG_S ? 3 : 30)) {
         chatter_close(&chatter);
         soak_say("the soak cannot begin; the last line was: %s", chatter.last);
@@ -146,14 +149,14 @@ static bool run(struct soak *soak, const struct order *order)
         faults_turn(&faults, soak);
         going = soak_turn(soak);
         gauge_turn(&gauge, soak);
-        chatter_listen(&chatter);
+        chatter_listen(&chatter, soak_s(soak));
         if (soak_s(soak) > told_s + 60) {
             told_s = soak_s(soak);
             gauge_tell(&gauge, soak);
         }
     }
     gauge_tell(&gauge, soak);
-    come_to_rest(soak, &guest, &faults, &gauge);
+    come_to_rest(soak, &guest, &faults, &gauge, &chatter);
     chatter_close(&chatter);
     judge(soak, &guest, &faults, order->seconds);
     gauge_judge(&gauge, soak, order->seconds >= LONG_S);
@@ -170,6 +173,7 @@ int main(int count, char **arguments)
         fprintf(stderr, "soak [--minutes N | --seconds N] [--seed N] [--aloud]\n");
         return 2;
     }
+    setvbuf(stdout, NULL, _IOLBF, 0);
     bool good = run(&soak, &order);
     soak_close(&soak);
     soak_say("%s", good ? "the soak is passed" : "the soak has failed");

@@ -15,7 +15,8 @@
 static const uint32_t WRITTEN = IN_CREATE | IN_MODIFY | IN_MOVED_TO | IN_DELETE;
 static const double WARM = 0.25;                             /* of the windows are not counted */
 static const double MOST_KB_H = 1024, MOST_KB_THOUSAND = 64; /* growth: an hour, a thousand visits */
-static const double TICK_MS_MOST = 100, FLIP_MS_MOST = 200;  /* p95, on a machine that does other things besides */
+/* p95: a machine that does other things besides is given more, by the frames that it reaches. */
+static const double TICK_MS_MOST = 33, FLIP_MS_MOST = 33, FRAMES_MOST = 6;
 
 static int entries(const char *folder)
 {
@@ -138,7 +139,10 @@ static void read_delays(struct delays *delays, const struct latency_window *wind
     }
     int64_t from = window->count - delays->read > LATENCY_WINDOW ? window->count - LATENCY_WINDOW : delays->read;
     for (int64_t i = from; i < window->count; i++) {
-        uint32_t ms = window->us[i % LATENCY_WINDOW] / 1000;
+        uint32_t us = window->us[i % LATENCY_WINDOW], ms = us / 1000;
+        if (us == 0) { /* a button of the palette: its time is of the visit's clock */
+            continue;
+        }
         delays->ms[ms < GAUGE_MS ? ms : GAUGE_MS - 1]++;
         delays->total++;
     }
@@ -245,6 +249,8 @@ static void judge_memory(struct gauge *gauge, struct soak *soak, bool slopes)
 void gauge_judge(struct gauge *gauge, struct soak *soak, bool slopes)
 {
     struct display_frames frames = display_frames(soak->display);
+    double frame_ms = 1000 * soak_s(soak) / (double)(frames.presented + 1);
+    double most[2] = {TICK_MS_MOST + FRAMES_MOST * frame_ms, FLIP_MS_MOST + FRAMES_MOST * frame_ms};
     double p95[2] = {percentile(&gauge->tick, 0.95), percentile(&gauge->flip, 0.95)};
     judge_memory(gauge, soak, slopes);
     soak_say("delays of %lld actions: to the tick p50 %d p95 %.0f ms, of %lld to the frame p50 %d p95 %.0f ms",
@@ -253,9 +259,8 @@ void gauge_judge(struct gauge *gauge, struct soak *soak, bool slopes)
     soak_say("%llu frames in %.0f s, %.2f %% of vertical blanks missed", (unsigned long long)frames.presented,
              soak_s(soak), 100.0 * (double)frames.missed / (double)(frames.presented + frames.missed + 1));
     soak_say("the gallery had %d pictures and %.0f KB at most", gauge->kept_most, (double)gauge->bytes_most / 1024);
-    if (gauge->tick.total == 0 || gauge->flip.total == 0 || p95[0] > TICK_MS_MOST || p95[1] > FLIP_MS_MOST) {
-        soak_fail(soak, "an action must reach its tick in %.0f ms and its frame in %.0f, 95 of 100", TICK_MS_MOST,
-                  FLIP_MS_MOST);
+    if (gauge->tick.total == 0 || gauge->flip.total == 0 || p95[0] > most[0] || p95[1] > most[1]) {
+        soak_fail(soak, "an action must reach its tick in %.0f ms and its frame in %.0f, 95 of 100", most[0], most[1]);
     }
     if (gauge->kept_most < 1 || gauge->kept_most > SOAK_PICTURES + 1 ||
         gauge->bytes_most > (SOAK_MEGABYTES << 20) + (SOAK_MEGABYTES << 20) / 4) {

@@ -18,7 +18,7 @@
 enum {
     DISK_KB = 70 << 10, /* the gallery leaves 64 MB to others */
     REFRESH_MHZ = 60000,
-    TICKS_PER_SECOND = 200,
+    TICKS_PER_SECOND = 150,
     DEVICES = 2, /* of a source */
 };
 
@@ -67,10 +67,10 @@ uint32_t soak_random(struct soak *soak, uint32_t below)
     return soak->random % below;
 }
 
-static uint64_t kiosk_us(void *context)
+static uint64_t kiosk_us(void *context, uint64_t real_us)
 {
     const struct soak *soak = context;
-    return soak->began_us + SOAK_SPEED * (now_us() - soak->began_us) + soak->ahead_us;
+    return soak->began_us + SOAK_SPEED * (real_us - soak->began_us) + soak->ahead_us;
 }
 
 static time_t wall(void *context)
@@ -162,8 +162,10 @@ static void plug_in(struct soak *soak)
 
 void soak_post(struct soak *soak, enum soak_source source, int device, const struct event *event)
 {
+    struct event own = *event;
+    own.time_us = soak->event_us;
     if (soak->fakes[source]) {
-        source_fake_post(soak->fakes[source], device, event);
+        source_fake_post(soak->fakes[source], device, &own);
     }
 }
 

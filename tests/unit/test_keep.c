@@ -176,10 +176,11 @@ static void its_journal_goes_on_over_crashes(void **state)
         if (life == 2) {
             struct bytes journal;
             struct player player;
-            struct easel easel = {.def = {.engine = ENGINE_CPU}};
+            const int threads = 1;
+            struct player_maker maker = player_cpu(&threads);
             struct file_error error;
             assert_true(keep_journal(keep, &journal));
-            assert_true(player_open(&player, journal.data, journal.size, &easel, &error));
+            assert_true(player_open(&player, journal.data, journal.size, &maker, &error));
             while (player_tick(&player, &error)) {
             }
             assert_int_equal(player.ticked, 330);

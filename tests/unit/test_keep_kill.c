@@ -105,10 +105,11 @@ static void paint_for_ever(struct place *place)
 static void check_journal(const struct keep_found *found, uint64_t hash)
 {
     struct player player;
-    struct easel easel = {.def = {.engine = ENGINE_CPU, .threads = 1}};
+    const int threads = 1;
+    struct player_maker maker = player_cpu(&threads);
     struct file_error error;
     assert_true(found->journal.size > 0);
-    if (!player_open(&player, found->journal.data, found->journal.size, &easel, &error)) {
+    if (!player_open(&player, found->journal.data, found->journal.size, &maker, &error)) {
         fail_msg("%s", error.text);
     }
     while (player_tick(&player, &error)) {
