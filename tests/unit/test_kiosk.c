@@ -347,6 +347,37 @@ static float share(uint32_t *seed)
 }
 
 /* Crowds with pauses, for hours: everything that begins ends, and nothing is stuck. */
+static void scenes_and_hours_come_from_afar(void **state)
+{
+    char yaml[1200];
+    (void)state;
+    snprintf(yaml, sizeof yaml, "%s%s", PLAIN, "scenes: [{id: one}, {id: two}, {id: three}]\n");
+    struct hall *hall = hall_open(yaml);
+    hall_wait(hall, 1);
+    assert_false(kiosk_want_scene(hall->kiosk, "none"));
+    assert_true(kiosk_want_scene(hall->kiosk, "three"));
+    hall_wait(hall, 20); /* it is washed first */
+    assert_string_equal(kiosk_scene(hall->kiosk)->id, "three");
+    assert_ptr_equal(hall->script, kiosk_scene(hall->kiosk)->script);
+    int before = hall->count; /* somebody paints: what is wanted waits for attract */
+    hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
+    assert_true(kiosk_want_scene(hall->kiosk, "two"));
+    hall_wait(hall, 3);
+    assert_string_equal(kiosk_scene(hall->kiosk)->id, "three");
+    assert_int_equal(hall_count(hall, before, HALL_CHANGE, ACTION_VERBS), 0);
+    hall_wait(hall, 120);
+    assert_true(hall_count(hall, before, HALL_CHANGE, ACTION_VERBS) > 0);
+    kiosk_keep_hours(hall->kiosk, KIOSK_CLOSED);
+    hall_wait(hall, 20);
+    assert_string_equal(kiosk_state(hall->kiosk), "closed");
+    assert_true(hall->dark);
+    kiosk_keep_hours(hall->kiosk, KIOSK_BY_SCHEDULE);
+    hall_wait(hall, 3);
+    assert_string_equal(kiosk_state(hall->kiosk), "attract");
+    assert_false(hall->dark);
+    hall_close(hall);
+}
+
 static void hours_of_visitors_leave_it_as_it_was(void **state)
 {
     (void)state;
@@ -389,6 +420,7 @@ int main(void)
         cmocka_unit_test(a_finished_picture_is_shown_between_two_paintings_until_somebody_comes),
         cmocka_unit_test(a_visit_that_was_cut_off_goes_on),
         cmocka_unit_test(another_exhibit_takes_over_while_somebody_paints),
+        cmocka_unit_test(scenes_and_hours_come_from_afar),
         cmocka_unit_test(hours_of_visitors_leave_it_as_it_was),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
