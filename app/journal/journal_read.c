@@ -243,7 +243,6 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
                            struct action *action, bool *known)
 {
     char *at = (char *)action + key->offset, name[BYTES_TEXT];
-    struct action_path path;
     struct action_raster raster = {.values = NULL};
     struct point point;
     int value;
@@ -251,7 +250,8 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
     switch (journal_type_of(key->type)) {
     case JOURNAL_POINT:
         given = cursor_u8(body) != 0;
-        point = (struct point){cursor_float(body), cursor_float(body)};
+        point.x = cursor_float(body);
+        point.y = cursor_float(body);
         memcpy(at, &point, sizeof point);
         action->has_at = key->offset == offsetof(struct action, at) ? given : action->has_at;
         return isfinite(point.x) && isfinite(point.y);
@@ -268,11 +268,7 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
         memcpy(at, &value, sizeof value);
         return value < PAINTING_INKS;
     case JOURNAL_PATH:
-        if (!read_path(reader, body, &path)) {
-            return false;
-        }
-        memcpy(at, &path, sizeof path);
-        return true;
+        return read_path(reader, body, &action->path); /* the one that there is */
     case JOURNAL_RASTER_NUMBER:
         if (!read_raster(reader, body, &raster)) {
             return false;
