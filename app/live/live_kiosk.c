@@ -206,11 +206,23 @@ void live_kiosk_close(struct live_kiosk *kiosk)
     *kiosk = (struct live_kiosk){.kiosk = NULL};
 }
 
+static bool same_seat(const struct exhibit_seat *a, const struct exhibit_seat *b)
+{
+    bool same = a->ink == b->ink && a->side == b->side;
+    for (int i = 0; same && i < 4; i++) {
+        same = !(a->zone[i] < b->zone[i] || a->zone[i] > b->zone[i]);
+    }
+    return same;
+}
+
 /* Whether what visitors hold may stay in their hands. */
 static bool same_hands(const struct exhibit *now, const struct exhibit *next)
 {
-    return now->inputs_mark == next->inputs_mark && now->seat_count == next->seat_count &&
-           memcmp(now->seats, next->seats, sizeof now->seats) == 0 &&
+    bool seats = now->seat_count == next->seat_count;
+    for (int i = 0; seats && i < now->seat_count; i++) {
+        seats = same_seat(&now->seats[i], &next->seats[i]);
+    }
+    return seats && now->inputs_mark == next->inputs_mark &&
            now->scenes[0].script->ink_count == next->scenes[0].script->ink_count;
 }
 

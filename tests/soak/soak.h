@@ -10,7 +10,7 @@
 #include "source_fake.h"
 
 enum {
-    SOAK_SPEED = 10,
+    SOAK_SPEED = 15,
     SOAK_WIDTH = 320,
     SOAK_HEIGHT = 200,
     SOAK_FINGERS = 4,

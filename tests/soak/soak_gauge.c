@@ -119,10 +119,9 @@ static void look_at_writes(struct gauge *gauge, struct soak *soak)
 {
     _Alignas(struct inotify_event) char bytes[4096];
     const struct live_kiosk *kiosk = &soak->live.kiosk;
-    ssize_t got;
     int count = 0;
     char name[100] = "";
-    while ((got = read(gauge->writes, bytes, sizeof bytes)) > 0) {
+    while (read(gauge->writes, bytes, sizeof bytes) > 0) {
         const struct inotify_event *event = (const struct inotify_event *)(const void *)bytes;
         snprintf(name, sizeof name, "%.90s", event->len > 0 ? event->name : "");
         count++;
