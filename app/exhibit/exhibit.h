@@ -121,6 +121,8 @@ struct exhibit_gallery {
     const char *folder; /* in the state folder; NULL: nothing is kept */
     int pictures;       /* kept at most, oldest out first */
     int megabytes;      /* all together */
+    float slides;       /* s that one is shown between two paintings of attract; 0: none is */
+    const char *stick;  /* folder on a stick that they are copied to; NULL: EXPORT_FOLDER */
 };
 
 /* A broker, for those who look after many kiosks (group.h). Files are beside the exhibit. */

@@ -71,7 +71,7 @@ const struct key exhibit_keys[] = {
     SECTION("scenes", "A list of what is painted, one scene after the other; a single one with every default if left "
                       "out."),
     TEXT("pictures", EXHIBIT, pictures, "the path of a folder", EXHIBIT_PATH_BYTES, false,
-         "A folder of pictures that grow by themselves while nobody paints, beside this file."),
+         "A folder of pictures along whose edges every second painting grows that the sheet paints by itself."),
     SECTION("sessions", "A list of recorded sessions, by their paths, that are painted while nobody else paints."),
     SECTION("palette", "The buttons at the edge of the sheet."),
     SECTION("seats", "A list of places for visitors side by side; one place for all if left out."),
@@ -206,6 +206,10 @@ const struct key gallery_keys[] = {
     WHOLE("pictures", GALLERY, pictures, "pictures", 1, 100000, 500, false,
           "How many are kept; the oldest one goes first."),
     WHOLE("megabytes", GALLERY, megabytes, "MB", 1, 100000, 500, false, "How much all of them may take together."),
+    NUMBER("slides", GALLERY, slides, "s", 0, 120, 8,
+           "How long one of them is shown between two paintings that the sheet paints by itself; 0: none is."),
+    TEXT("stick", GALLERY, stick, "a word", ID_BYTES, false,
+         "The folder on a USB stick of the staff that the gallery is copied to; frond-gallery if left out."),
     END,
 };
 

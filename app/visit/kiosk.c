@@ -225,6 +225,10 @@ static void run_attract(struct kiosk *kiosk, int64_t tick)
     if (!kiosk->begun) {
         attract_begin(kiosk->attract, kiosk->scene, (float)kiosk->def.width / (float)kiosk->def.height);
         kiosk->begun = true;
+        if (++kiosk->painted % 2 == 0 && kiosk->def.stage.guide &&
+            kiosk->def.stage.guide(kiosk->def.stage.context, &action)) {
+            kiosk_post(kiosk, &action, 0);
+        }
     }
     while (attract_action(kiosk->attract, tick, &action)) {
         kiosk_post(kiosk, &action, 0);
@@ -234,6 +238,7 @@ static void run_attract(struct kiosk *kiosk, int64_t tick)
     }
     if (attract_over(kiosk->attract, tick) || kiosk->wanted > 0) {
         begin_wash(kiosk);
+        kiosk->slide_due = kiosk->exhibit->gallery.slides > 0;
     }
 }
 
@@ -352,6 +357,21 @@ void kiosk_trouble(struct kiosk *kiosk, const char *report)
     free(kiosk->trouble);
     kiosk->trouble = report ? strdup(report) : NULL;
     kiosk->lines_us = 0;
+}
+
+bool kiosk_wants_slide(struct kiosk *kiosk)
+{
+    bool wants = kiosk->slide_due && kiosk->visit.state == VISIT_ATTRACT && !kiosk->hud.status;
+    kiosk->slide_due = false;
+    return wants;
+}
+
+void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint64_t now_us)
+{
+    struct hud_image *image = &kiosk->images[LOOK_SLIDE];
+    hud_image_finish(image);
+    *image = (struct hud_image){.rgba = rgba, .width = width, .height = height, .key = ++kiosk->slides};
+    kiosk->slide_us = now_us;
 }
 
 void kiosk_resize(struct kiosk *kiosk, int width, int height)

@@ -38,6 +38,9 @@ struct kiosk_stage {
     void (*keep)(void *context);                                /* the picture as it is goes to the gallery */
     void (*power)(void *context, bool on);                      /* of the screen */
     struct kiosk_sheet (*sheet)(void *context);
+    /* A field of a stock picture for a fresh sheet that paints itself (ACTION_GUIDE); false: none is ready. May be
+     * NULL. */
+    bool (*guide)(void *context, struct action *guide);
     /* Lines of "name\tvalue\n" for the staff; may be NULL. */
     void (*status)(void *context, char *lines, size_t size);
 };
@@ -77,6 +80,11 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
 /* The exhibit's file cannot be used as it is now, and why; NULL: it can. The staff sees a mark, and reads it in the
  * status view. */
 void kiosk_trouble(struct kiosk *kiosk, const char *report);
+/* Whether a picture of the gallery may be shown now, in attract: once for each time. */
+bool kiosk_wants_slide(struct kiosk *kiosk);
+/* Shows it for as long as the exhibit says, unless somebody comes: RGBA, multiplied by alpha, from malloc, taken over.
+ */
+void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint64_t now_us);
 /* The sheet has another size. */
 void kiosk_resize(struct kiosk *kiosk, int width, int height);
 

@@ -10,7 +10,7 @@
 #include "source_fake.h"
 
 enum {
-    SOAK_SPEED = 10,
+    SOAK_SPEED = 15,
     SOAK_WIDTH = 320,
     SOAK_HEIGHT = 200,
     SOAK_FINGERS = 4,
@@ -43,6 +43,8 @@ struct soak {
 
     uint64_t refused, refused_before; /* actions */
     int exits;                        /* that somebody has found */
+    double turn_s, turn_most_s;       /* what a turn of the loop took: the last, the longest */
+    int turns, slow_turns;            /* slow: longer than SLOW_S */
     bool failed;
 };
 

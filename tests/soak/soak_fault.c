@@ -96,6 +96,17 @@ static void edit(struct soak *soak, bool begin)
     }
 }
 
+static void set_time(struct soak *soak, enum fault_kind kind, bool begin)
+{
+    if (kind == FAULT_CLOCK) {
+        jump_wall(soak, begin);
+    } else if (kind == FAULT_NIGHT) {
+        soak->wall_ahead_s = begin ? 11 * HOUR : 0;
+    } else {
+        soak->ahead_us += begin ? SLEPT_US : 0;
+    }
+}
+
 static void set(struct faults *faults, struct soak *soak, enum fault_kind kind, bool begin)
 {
     switch (kind) {
@@ -105,10 +116,8 @@ static void set(struct faults *faults, struct soak *soak, enum fault_kind kind, 
         pull(soak, (enum soak_source)(SOAK_TOUCH + (int)kind - (int)FAULT_GLASS), begin);
         break;
     case FAULT_INPUTS:
-        soak->inputs += begin;
-        edit(soak, begin);
-        break;
     case FAULT_EDIT:
+        soak->inputs += begin && kind == FAULT_INPUTS;
         edit(soak, begin);
         break;
     case FAULT_WRONG:
@@ -131,19 +140,11 @@ static void set(struct faults *faults, struct soak *soak, enum fault_kind kind, 
             display_inject_reset(soak->display);
         }
         break;
-    case FAULT_CLOCK:
-        jump_wall(soak, begin);
-        break;
-    case FAULT_SLEEP:
-        soak->ahead_us += begin ? SLEPT_US : 0;
-        break;
-    case FAULT_NIGHT:
-        soak->wall_ahead_s = begin ? 11 * HOUR : 0;
-        break;
     case FAULT_HEAT:
         heat_up(faults, begin);
         break;
-    case FAULT_KINDS:
+    default:
+        set_time(soak, kind, begin);
         break;
     }
 }

@@ -22,6 +22,7 @@ enum {
     DEVICES = 2, /* of a source */
 };
 
+static const double SLOW_S = 0.5;
 static const time_t NOON = 1804075200; /* 2027-03-03 12:00 UTC, a Wednesday */
 
 static const char *const TITLES[] = {"Soak", "Another soak", "A third soak", "The soak that never ends"};
@@ -252,7 +253,12 @@ static void count_refused(struct soak *soak)
 
 bool soak_turn(struct soak *soak)
 {
+    double from = bench_wall_s();
     bool good = live_turn(&soak->live);
+    soak->turn_s = bench_wall_s() - from;
+    soak->turn_most_s = soak->turn_s > soak->turn_most_s ? soak->turn_s : soak->turn_most_s;
+    soak->turns++;
+    soak->slow_turns += soak->turn_s > SLOW_S;
     count_refused(soak);
     plug_in(soak);
     struct kiosk *kiosk = soak->live.kiosk.kiosk;
