@@ -188,10 +188,9 @@ static void make_way(struct history *history, int visitor)
 }
 
 struct group *history_group_for(struct history *history, const struct action *action, const struct mark *marks,
-                                int count, uint32_t moment)
+                                uint32_t moment)
 {
     struct group *group = find_open(history, action, marks, moment);
-    (void)count;
     if (!group) {
         make_way(history, action->visitor);
         group = &history->groups[history->next_group % HISTORY_GROUPS];

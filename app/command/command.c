@@ -13,6 +13,7 @@ const struct command commands[] = {
     {"explain", "[KEY]", "every key of session scripts and inputs files: type, range, default, meaning",
      command_explain},
     {"devices", "[--watch]", "what is plugged in, what is missing, and how to mend it", command_devices},
+    {"report", "[-o FILE.tar.gz]", "what somebody who helps needs to know, without personal data", command_report},
     {"bench", "[NAME] [--json]", "the measurements in the README", command_bench},
     {.name = NULL},
 };

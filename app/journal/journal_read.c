@@ -256,7 +256,8 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
     switch (journal_type_of(key->type)) {
     case JOURNAL_POINT:
         given = cursor_u8(body) != 0;
-        point = (struct point){cursor_float(body), cursor_float(body)};
+        point.x = cursor_float(body); /* one after the other: C leaves the order within braces open */
+        point.y = cursor_float(body);
         store(action, key, &point, sizeof point);
         action->has_at = key->offset == offsetof(struct action, at) ? given : action->has_at;
         return isfinite(point.x) && isfinite(point.y);

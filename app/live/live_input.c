@@ -67,7 +67,11 @@ static void take(struct live_input *input, struct event *event)
         controls_introduce(input->controls, event->source, &device);
         lamps_introduce(&input->lamps, event->source, &device);
     }
-    if (!input->kiosk || kiosk_feel(input->kiosk, event, live_clock_us(&input->clock))) {
+    uint64_t time_us = event->time_us;
+    event->time_us = live_clock_at(&input->clock, time_us);
+    bool felt = !input->kiosk || kiosk_feel(input->kiosk, event, live_clock_us(&input->clock));
+    event->time_us = time_us;
+    if (felt) {
         controls_feel(input->controls, event);
     }
 }

@@ -14,7 +14,7 @@
 
 static const double PEACE_S = 90; /* until everything must be as at first, once nothing happens any more */
 static const double LONG_S = 300; /* from then on slopes mean something */
-static const int SAME_MOST = 5, BESIDES = 20;
+enum { BESIDES = 20 };
 
 struct order {
     double seconds;
@@ -64,9 +64,10 @@ static int phantoms(const struct soak *soak)
     return count;
 }
 
+/* The same line three times a minute, and 120 of all of them: log.h; and no more of a kind than there were reasons. */
 static void judge_log(const struct chatter *chatter, const struct faults *faults, struct soak *soak)
 {
-    int resets = faults->fault[FAULT_RESET].count, all = faults_count(faults);
+    int all = faults_count(faults), minutes = (int)(soak_s(soak) / 60) + 2;
     for (int i = 0; i < chatter->line_count; i++) {
         const struct chatter_line *line = &chatter->lines[i];
         soak_say("%6d x %s", line->count, line->text);
@@ -74,12 +75,10 @@ static void judge_log(const struct chatter *chatter, const struct faults *faults
             soak_fail(soak, "that comes too often for %d faults", all);
         }
     }
-    if (chatter->same_most > SAME_MOST || chatter->lost > 0) {
-        soak_fail(soak, "a line was repeated %d times, %d found no room", chatter->same_most, chatter->lost);
-    }
-    if (chatter_count(chatter, "GL is lost") != resets || chatter_count(chatter, "the painting is back") != resets) {
-        soak_fail(soak, "of %d resets of the GPU %d were noticed and %d mended", resets,
-                  chatter_count(chatter, "GL is lost"), chatter_count(chatter, "the painting is back"));
+    soak_say("%d lines in the log", chatter->total);
+    if (chatter->same_most > LOG_SAME || chatter->total > (LOG_LINES + BESIDES) * minutes || chatter->lost > 0) {
+        soak_fail(soak, "%d lines, one of them %d times on end; %d found no room", chatter->total, chatter->same_most,
+                  chatter->lost);
     }
 }
 
@@ -95,6 +94,10 @@ static void judge(struct soak *soak, const struct guest *guest, const struct fau
         printf("%s%s %d", i > 0 ? ", " : "faults: ", fault_name((enum fault_kind)i), faults->fault[i].count);
     }
     soak_say("%s", soak->disks ? "" : " (no disk of its own can be mounted here)");
+    unsigned resets = (unsigned)soak->live.service.status.gpu_resets;
+    if (resets != (unsigned)faults->fault[FAULT_RESET].count) {
+        soak_fail(soak, "of %d resets of the GPU %u were noticed", faults->fault[FAULT_RESET].count, resets);
+    }
     if (visits < seconds / 5 || guest->finished < 1 || guest->walked < 1) {
         soak_fail(soak, "too few visits");
     }
@@ -105,7 +108,8 @@ static void judge(struct soak *soak, const struct guest *guest, const struct fau
 }
 
 /* No visitor, no fault: attract, with nothing left of what was. */
-static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *faults, struct gauge *gauge)
+static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *faults, struct gauge *gauge,
+                         struct chatter *chatter)
 {
     double from = soak_s(soak), calm_s = 0;
     bool going = true, rested = false;
@@ -115,6 +119,7 @@ static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *
         faults_turn(faults, soak);
         going = soak_turn(soak);
         gauge_turn(gauge, soak);
+        chatter_listen(chatter, soak_s(soak));
         const struct live_kiosk *kiosk = &soak->live.kiosk;
         bool calm = guest->state == GUEST_AWAY && faults_over(faults) && !kiosk->before && phantoms(soak) == 0 &&
                     strcmp(kiosk_state(kiosk->kiosk), "attract") == 0;
@@ -134,7 +139,8 @@ static bool run(struct soak *soak, const struct order *order)
     struct guest guest = {.state = GUEST_AWAY};
     struct faults faults;
     double told_s = 0;
-    if (!chatter_open(&chatter, order->aloud) || !soak_open(soak, order->seed) || !faults_init(&faults, soak) ||
+    if (!chatter_open(&chatter, order->aloud) || !soak_open(soak, order->seed) ||
+        !faults_init(&faults, soak, order->seconds < LONG_S ? 0.4 : 1) ||
         !gauge_open(&gauge, soak, order->seconds < LONG_S ? 3 : 30)) {
         chatter_close(&chatter);
         soak_say("the soak cannot begin; the last line was: %s", chatter.last);
@@ -146,14 +152,18 @@ static bool run(struct soak *soak, const struct order *order)
         faults_turn(&faults, soak);
         going = soak_turn(soak);
         gauge_turn(&gauge, soak);
-        chatter_listen(&chatter);
+        chatter_listen(&chatter, soak_s(soak));
+        if (order->aloud && soak->turn_s > 0.4) {
+            soak_say("%8.3f a turn of %.0f ms in %s", soak_s(soak), 1000 * soak->turn_s,
+                     kiosk_state(soak->live.kiosk.kiosk));
+        }
         if (soak_s(soak) > told_s + 60) {
             told_s = soak_s(soak);
             gauge_tell(&gauge, soak);
         }
     }
     gauge_tell(&gauge, soak);
-    come_to_rest(soak, &guest, &faults, &gauge);
+    come_to_rest(soak, &guest, &faults, &gauge, &chatter);
     chatter_close(&chatter);
     judge(soak, &guest, &faults, order->seconds);
     gauge_judge(&gauge, soak, order->seconds >= LONG_S);
@@ -170,6 +180,7 @@ int main(int count, char **arguments)
         fprintf(stderr, "soak [--minutes N | --seconds N] [--seed N] [--aloud]\n");
         return 2;
     }
+    setvbuf(stdout, NULL, _IOLBF, 0);
     bool good = run(&soak, &order);
     soak_close(&soak);
     soak_say("%s", good ? "the soak is passed" : "the soak has failed");

@@ -10,9 +10,9 @@
 #include "source_fake.h"
 
 enum {
-    SOAK_SPEED = 10,
-    SOAK_WIDTH = 480,
-    SOAK_HEIGHT = 300,
+    SOAK_SPEED = 15,
+    SOAK_WIDTH = 320,
+    SOAK_HEIGHT = 200,
     SOAK_FINGERS = 4,
     SOAK_PICTURES = 12, /* that the gallery may keep */
     SOAK_MEGABYTES = 1,
@@ -35,6 +35,7 @@ struct soak {
     struct display *display;
     struct source *fakes[SOAK_SOURCES]; /* the input's */
     uint64_t began_us;                  /* CLOCK_MONOTONIC */
+    uint64_t event_us;                  /* of what is posted; 0: now */
     uint64_t ahead_us;                  /* that the visit's clock has jumped */
     int64_t wall_ahead_s;
     int variant; /* of the exhibit, as it was written last */
@@ -42,6 +43,8 @@ struct soak {
 
     uint64_t refused, refused_before; /* actions */
     int exits;                        /* that somebody has found */
+    double turn_s, turn_most_s;       /* what a turn of the loop took: the last, the longest */
+    int turns, slow_turns;            /* slow: longer than SLOW_S */
     bool failed;
 };
 

@@ -32,7 +32,7 @@ static void take(struct chatter *chatter, const char *line)
     chatter->same_most = chatter->same > chatter->same_most ? chatter->same : chatter->same_most;
     snprintf(chatter->last, sizeof chatter->last, "%s", line);
     if (chatter->aloud) {
-        printf("  %s\n", line);
+        printf("%8.3f %s\n", chatter->now_s, line);
     }
     for (int i = 0; i < chatter->line_count; i++) {
         if (strcmp(chatter->lines[i].text, text) == 0) {
@@ -49,8 +49,9 @@ static void take(struct chatter *chatter, const char *line)
     }
 }
 
-void chatter_listen(struct chatter *chatter)
+void chatter_listen(struct chatter *chatter, double now_s)
 {
+    chatter->now_s = now_s;
     char bytes[4096];
     ssize_t got;
     while ((got = pread(chatter->file, bytes, sizeof bytes, (off_t)chatter->offset)) > 0) {
@@ -75,7 +76,7 @@ void chatter_listen(struct chatter *chatter)
 void chatter_close(struct chatter *chatter)
 {
     fflush(stderr);
-    chatter_listen(chatter);
+    chatter_listen(chatter, chatter->now_s);
     dup2(chatter->terminal, STDERR_FILENO);
     close(chatter->terminal);
     close(chatter->file);

@@ -21,13 +21,14 @@ struct chatter {
     char last[CHATTER_BYTES * 4];
     int same, same_most; /* the very same line, one after the other */
     int total;
+    double now_s;
     bool aloud; /* lines are told as well */
 };
 
 /* Takes stderr. False: no file is to be had. */
 bool chatter_open(struct chatter *chatter, bool aloud);
 /* Takes what has been said since. */
-void chatter_listen(struct chatter *chatter);
+void chatter_listen(struct chatter *chatter, double now_s);
 /* Gives stderr back. */
 void chatter_close(struct chatter *chatter);
 /* How often a line with that in it came. */

@@ -39,11 +39,11 @@ static void break_picture(struct soak *soak, const char *sample, const char *nam
     snprintf(path, sizeof path, IMAGE_SAMPLES "/%s", sample);
     FILE *file = fopen(path, "rb");
     size_t size = file ? fread(bytes, 1, sizeof bytes, file) : 0;
-    if (!file || fclose(file) != 0 || size < 100) {
+    if (!file || fclose(file) != 0 || size < 64) {
         soak_fail(soak, "%s cannot be read", path);
         return;
     }
-    for (size_t at = 60 + soak_random(soak, (uint32_t)size - 80), i = 0; begin && i < 16; i++) {
+    for (size_t at = 30 + soak_random(soak, (uint32_t)size - 46), i = 0; begin && i < 16; i++) {
         bytes[at + i] = (char)soak_random(soak, 256);
     }
     if (begin && soak_random(soak, 2) == 0) {
@@ -96,6 +96,17 @@ static void edit(struct soak *soak, bool begin)
     }
 }
 
+static void set_time(struct soak *soak, enum fault_kind kind, bool begin)
+{
+    if (kind == FAULT_CLOCK) {
+        jump_wall(soak, begin);
+    } else if (kind == FAULT_NIGHT) {
+        soak->wall_ahead_s = begin ? 11 * HOUR : 0;
+    } else {
+        soak->ahead_us += begin ? SLEPT_US : 0;
+    }
+}
+
 static void set(struct faults *faults, struct soak *soak, enum fault_kind kind, bool begin)
 {
     switch (kind) {
@@ -105,10 +116,8 @@ static void set(struct faults *faults, struct soak *soak, enum fault_kind kind, 
         pull(soak, (enum soak_source)(SOAK_TOUCH + (int)kind - (int)FAULT_GLASS), begin);
         break;
     case FAULT_INPUTS:
-        soak->inputs += begin;
-        edit(soak, begin);
-        break;
     case FAULT_EDIT:
+        soak->inputs += begin && kind == FAULT_INPUTS;
         edit(soak, begin);
         break;
     case FAULT_WRONG:
@@ -131,19 +140,11 @@ static void set(struct faults *faults, struct soak *soak, enum fault_kind kind, 
             display_inject_reset(soak->display);
         }
         break;
-    case FAULT_CLOCK:
-        jump_wall(soak, begin);
-        break;
-    case FAULT_SLEEP:
-        soak->ahead_us += begin ? SLEPT_US : 0;
-        break;
-    case FAULT_NIGHT:
-        soak->wall_ahead_s = begin ? 11 * HOUR : 0;
-        break;
     case FAULT_HEAT:
         heat_up(faults, begin);
         break;
-    case FAULT_KINDS:
+    default:
+        set_time(soak, kind, begin);
         break;
     }
 }
@@ -174,13 +175,13 @@ static double due(struct soak *soak, double now, double length_s)
     return now + length_s * (0.2 + 0.0016 * soak_random(soak, 1000));
 }
 
-bool faults_init(struct faults *faults, struct soak *soak)
+bool faults_init(struct faults *faults, struct soak *soak, double pace)
 {
     static const char *const LEVELS[] = {"", "/sys", "/sys/class", "/sys/class/thermal",
                                          "/sys/class/thermal/thermal_zone0"};
     char path[200];
     bool good = true;
-    *faults = (struct faults){.retired = false};
+    *faults = (struct faults){.pace = pace};
     snprintf(faults->heat, sizeof faults->heat, "%s/board", soak->root);
     for (size_t i = 0; good && i < sizeof LEVELS / sizeof LEVELS[0]; i++) {
         snprintf(path, sizeof path, "%s%s", faults->heat, LEVELS[i]);
@@ -192,7 +193,7 @@ bool faults_init(struct faults *faults, struct soak *soak)
     thermal_destroy(soak->live.care.thermal);
     soak->live.care.thermal = thermal_create(faults->heat);
     for (int i = 0; i < FAULT_KINDS; i++) {
-        faults->fault[i].due_s = due(soak, 2, rhythms[i].every_s);
+        faults->fault[i].due_s = due(soak, 1, pace * rhythms[i].every_s);
     }
     return good && soak->live.care.thermal;
 }
@@ -210,7 +211,7 @@ void faults_turn(struct faults *faults, struct soak *soak)
         }
         fault->is = !fault->is;
         fault->count += fault->is;
-        fault->due_s = due(soak, now, fault->is ? 0.55 * rhythm->lasts_s : rhythm->every_s);
+        fault->due_s = due(soak, now, fault->is ? 0.55 * rhythm->lasts_s : faults->pace * rhythm->every_s);
         set(faults, soak, (enum fault_kind)i, fault->is);
     }
 }

@@ -29,12 +29,13 @@ struct faults {
         bool is;      /* it has begun */
         int count;    /* begun */
     } fault[FAULT_KINDS];
+    double pace;    /* times the average time from one to the next */
     char heat[100]; /* a made-up tree of sysfs */
     bool retired;   /* nothing begins any more */
 };
 
 /* `soak` is open. False: the folders of faults cannot be made. */
-bool faults_init(struct faults *faults, struct soak *soak);
+bool faults_init(struct faults *faults, struct soak *soak, double pace);
 void faults_turn(struct faults *faults, struct soak *soak);
 /* Everything is as it should be. */
 bool faults_over(const struct faults *faults);

@@ -13,9 +13,13 @@
 #include "kiosk_state.h"
 
 static const uint32_t WRITTEN = IN_CREATE | IN_MODIFY | IN_MOVED_TO | IN_DELETE;
+static const char *const FOLDERS[GAUGE_FOLDERS] = {"gallery", "painting"};
+static const double SETTLE_S = 1;                            /* what was begun before attract is done then */
 static const double WARM = 0.25;                             /* of the windows are not counted */
 static const double MOST_KB_H = 1024, MOST_KB_THOUSAND = 64; /* growth: an hour, a thousand visits */
-static const double TICK_MS_MOST = 100, FLIP_MS_MOST = 200;  /* p95, on a machine that does other things besides */
+/* p95; where the machine does too much besides to reach the display's rate, so many of the frames that it does reach.
+ */
+static const double MS_MOST = 70, FRAME_MS_GOOD = 20, FRAMES_MOST = 10;
 
 static int entries(const char *folder)
 {
@@ -100,11 +104,14 @@ static void look_at_gallery(struct gauge *gauge, struct soak *soak)
         pictures += file && strstr(entry->d_name, ".png") != NULL;
         bytes += file ? status.st_size : 0;
     }
-    bool there = all && closedir(all) == 0;
+    if (all) {
+        closedir(all);
+    }
     gauge->kept_most = pictures > gauge->kept_most ? pictures : gauge->kept_most;
     gauge->bytes_most = bytes > gauge->bytes_most ? bytes : gauge->bytes_most;
-    if (!gauge->watched && there) {
-        gauge->watched = inotify_add_watch(gauge->writes, folder, WRITTEN) >= 0;
+    for (int i = 0; i < GAUGE_FOLDERS; i++) { /* whenever they are there */
+        snprintf(path, sizeof path, "%s/%s", soak->state, FOLDERS[i]);
+        gauge->watched[i] = gauge->watched[i] || inotify_add_watch(gauge->writes, path, WRITTEN) >= 0;
     }
 }
 
@@ -112,16 +119,17 @@ static void look_at_writes(struct gauge *gauge, struct soak *soak)
 {
     _Alignas(struct inotify_event) char bytes[4096];
     const struct live_kiosk *kiosk = &soak->live.kiosk;
-    ssize_t got;
     int count = 0;
     char name[100] = "";
-    while ((got = read(gauge->writes, bytes, sizeof bytes)) > 0) {
+    while (read(gauge->writes, bytes, sizeof bytes) > 0) {
         const struct inotify_event *event = (const struct inotify_event *)(const void *)bytes;
         snprintf(name, sizeof name, "%.90s", event->len > 0 ? event->name : "");
         count++;
     }
-    bool quiet = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && !kiosk->keep && kiosk->gallery &&
-                 !gallery_busy(kiosk->gallery);
+    bool calm = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && !kiosk->keep && kiosk->gallery &&
+                !gallery_busy(kiosk->gallery);
+    gauge->calm_s = !calm ? 0 : gauge->calm_s > 0 ? gauge->calm_s : soak_s(soak);
+    bool quiet = calm && soak_s(soak) > gauge->calm_s + SETTLE_S;
     if (count > 0 && quiet && gauge->quiet) {
         soak_fail(soak, "in attract '%s' is written", name);
     }
@@ -138,7 +146,10 @@ static void read_delays(struct delays *delays, const struct latency_window *wind
     }
     int64_t from = window->count - delays->read > LATENCY_WINDOW ? window->count - LATENCY_WINDOW : delays->read;
     for (int64_t i = from; i < window->count; i++) {
-        uint32_t ms = window->us[i % LATENCY_WINDOW] / 1000;
+        uint32_t us = window->us[i % LATENCY_WINDOW], ms = us / 1000;
+        if (us == 0) { /* a button of the palette: its time is of the visit's clock */
+            continue;
+        }
         delays->ms[ms < GAUGE_MS ? ms : GAUGE_MS - 1]++;
         delays->total++;
     }
@@ -245,6 +256,8 @@ static void judge_memory(struct gauge *gauge, struct soak *soak, bool slopes)
 void gauge_judge(struct gauge *gauge, struct soak *soak, bool slopes)
 {
     struct display_frames frames = display_frames(soak->display);
+    double frame_ms = 1000 * soak_s(soak) / (double)(frames.presented + 1);
+    double most = frame_ms <= FRAME_MS_GOOD ? MS_MOST : MS_MOST + FRAMES_MOST * frame_ms;
     double p95[2] = {percentile(&gauge->tick, 0.95), percentile(&gauge->flip, 0.95)};
     judge_memory(gauge, soak, slopes);
     soak_say("delays of %lld actions: to the tick p50 %d p95 %.0f ms, of %lld to the frame p50 %d p95 %.0f ms",
@@ -252,10 +265,12 @@ void gauge_judge(struct gauge *gauge, struct soak *soak, bool slopes)
              percentile(&gauge->flip, 0.5), p95[1]);
     soak_say("%llu frames in %.0f s, %.2f %% of vertical blanks missed", (unsigned long long)frames.presented,
              soak_s(soak), 100.0 * (double)frames.missed / (double)(frames.presented + frames.missed + 1));
+    soak_say("%d turns of the loop, %d of them longer than half a second, the longest %.1f s", soak->turns,
+             soak->slow_turns, soak->turn_most_s);
     soak_say("the gallery had %d pictures and %.0f KB at most", gauge->kept_most, (double)gauge->bytes_most / 1024);
-    if (gauge->tick.total == 0 || gauge->flip.total == 0 || p95[0] > TICK_MS_MOST || p95[1] > FLIP_MS_MOST) {
-        soak_fail(soak, "an action must reach its tick in %.0f ms and its frame in %.0f, 95 of 100", TICK_MS_MOST,
-                  FLIP_MS_MOST);
+    if (gauge->tick.total == 0 || gauge->flip.total == 0 || p95[0] > most || p95[1] > most) {
+        soak_fail(soak, "95 of 100 actions must reach their tick and their frame in %.0f ms, with frames of %.0f ms",
+                  most, frame_ms);
     }
     if (gauge->kept_most < 1 || gauge->kept_most > SOAK_PICTURES + 1 ||
         gauge->bytes_most > (SOAK_MEGABYTES << 20) + (SOAK_MEGABYTES << 20) / 4) {

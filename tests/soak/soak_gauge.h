@@ -4,7 +4,7 @@
 
 #include "soak.h"
 
-enum { GAUGE_WINDOWS = 4096, GAUGE_MS = 2000 };
+enum { GAUGE_WINDOWS = 4096, GAUGE_MS = 2000, GAUGE_FOLDERS = 2 };
 
 struct gauge_window { /* the least of each second's samples, which is what there is while nothing is under way */
     double s;
@@ -27,8 +27,9 @@ struct gauge {
     struct display_frames frames_told;
     uint32_t visits_told;
     int writes; /* inotify */
-    bool watched;
-    bool quiet; /* attract, and the gallery has nothing to do, since the last turn at least */
+    bool watched[GAUGE_FOLDERS];
+    double calm_s; /* since when it is in attract, and the gallery has nothing to do; 0: it is not */
+    bool quiet;    /* it is for long enough, since the last turn at least */
     int kept_most, sheets;
     long long bytes_most;
     int quiet_turns, kept_seen;

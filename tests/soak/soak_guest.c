@@ -4,7 +4,7 @@
 
 #include "kiosk_state.h"
 
-static const double STEP_S = 0.010, PATIENCE_S = 60, REST_S = 0.12, LONG_REST_S = 2.5;
+static const double STEP_S = 0.010, BEHIND_S = 0.2, PATIENCE_S = 60, LOOK_S = 0.1, REST_S = 0.12, LONG_REST_S = 2.5;
 
 static float place(struct soak *soak)
 {
@@ -61,7 +61,7 @@ static void touch_button(struct guest *guest, struct soak *soak, bool finish)
 static void come(struct guest *guest, struct soak *soak)
 {
     guest->state = GUEST_PAINTS;
-    guest->strokes = 1 + (int)soak_random(soak, 4);
+    guest->strokes = 1 + (int)soak_random(soak, 3);
     guest->device = (int)soak_random(soak, 8) == 0;
     if (soak_random(soak, 40) == 0) {
         tap_line(soak, LINE_STAFF);
@@ -72,7 +72,7 @@ static void come(struct guest *guest, struct soak *soak)
 static void begin_stroke(struct guest *guest, struct soak *soak)
 {
     guest->fingers = soak_random(soak, 4) == 0 ? 1 + (int)soak_random(soak, SOAK_FINGERS) : 1;
-    guest->moves = 1 + (int)soak_random(soak, 8);
+    guest->moves = 1 + (int)soak_random(soak, 6);
     for (int i = 0; i < guest->fingers; i++) {
         guest->x[i] = place(soak);
         guest->y[i] = place(soak);
@@ -116,7 +116,11 @@ static void paint(struct guest *guest, struct soak *soak)
         guest->staff = false;
     } else if (guest->moves > 0) {
         go_on_with_stroke(guest, soak);
+    } else if (guest->strokes == 0 && guest->looks_s <= 0) {
+        guest->looks_s = LOOK_S; /* while the palette comes back */
+        guest->act_s += guest->looks_s;
     } else if (guest->strokes == 0) {
+        guest->looks_s = 0;
         leave(guest, soak);
     } else if (what == 0) {
         touch_button(guest, soak, false);
@@ -144,7 +148,7 @@ static void wait(struct guest *guest, struct soak *soak)
         return;
     }
     bool gone = strcmp(state, "attract") == 0 || strcmp(state, "closed") == 0;
-    bool meets = strcmp(state, "washing") == 0 && soak_random(soak, 60) == 0; /* the next one is already there */
+    bool meets = strcmp(state, "washing") == 0 && soak_random(soak, 3) == 0; /* the next one is already there */
     if (waited > PATIENCE_S) {
         soak_fail(soak, "%.0f s after a visitor has gone the visit is stuck in %s", waited, state);
         gone = true;
@@ -152,17 +156,12 @@ static void wait(struct guest *guest, struct soak *soak)
     if (gone || meets) {
         guest->longest_s = waited > guest->longest_s ? waited : guest->longest_s;
         guest->state = GUEST_AWAY;
-        guest->act_s = now + (soak_random(soak, 60) == 0 ? LONG_REST_S : REST_S * soak_random(soak, 100) / 100);
+        guest->act_s = now + (soak_random(soak, 25) == 0 ? LONG_REST_S : REST_S * soak_random(soak, 100) / 100);
     }
 }
 
-void guest_turn(struct guest *guest, struct soak *soak)
+static void act(struct guest *guest, struct soak *soak)
 {
-    double now = soak_s(soak);
-    if (now < guest->act_s) {
-        return;
-    }
-    guest->act_s = now + STEP_S;
     if (guest->button) {
         finger(guest, soak, EVENT_UP, 0);
         guest->button = false;
@@ -173,4 +172,23 @@ void guest_turn(struct guest *guest, struct soak *soak)
     } else if (!guest->retired) {
         come(guest, soak);
     }
+}
+
+/* As devices do it: a hundred times a second, however long a turn of the loop takes, each with its time. */
+void guest_turn(struct guest *guest, struct soak *soak)
+{
+    double now = soak_s(soak), due;
+    if (guest->act_s < now - BEHIND_S) {
+        guest->act_s = now - BEHIND_S;
+    }
+    while ((due = guest->act_s) <= now) {
+        bool waits = guest->state == GUEST_LEAVES && !guest->button;
+        guest->act_s = due + STEP_S;
+        soak->event_us = soak->began_us + (uint64_t)(1e6 * due);
+        act(guest, soak);
+        if (waits) { /* it can only see what there is now */
+            break;
+        }
+    }
+    soak->event_us = 0;
 }

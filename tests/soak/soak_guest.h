@@ -11,6 +11,7 @@ struct guest {
     enum guest_state state;
     double act_s;   /* when it does something next */
     double since_s; /* since when it waits for the kiosk to be done with it */
+    double looks_s; /* at what it has painted, before it goes */
     int strokes;    /* still to come */
     int moves;      /* of this one; 0: no finger is down */
     int fingers;    /* that are down */

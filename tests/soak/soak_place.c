@@ -18,10 +18,11 @@
 enum {
     DISK_KB = 70 << 10, /* the gallery leaves 64 MB to others */
     REFRESH_MHZ = 60000,
-    TICKS_PER_SECOND = 200,
+    TICKS_PER_SECOND = 150,
     DEVICES = 2, /* of a source */
 };
 
+static const double SLOW_S = 0.5;
 static const time_t NOON = 1804075200; /* 2027-03-03 12:00 UTC, a Wednesday */
 
 static const char *const TITLES[] = {"Soak", "Another soak", "A third soak", "The soak that never ends"};
@@ -67,10 +68,10 @@ uint32_t soak_random(struct soak *soak, uint32_t below)
     return soak->random % below;
 }
 
-static uint64_t kiosk_us(void *context)
+static uint64_t kiosk_us(void *context, uint64_t real_us)
 {
     const struct soak *soak = context;
-    return soak->began_us + SOAK_SPEED * (now_us() - soak->began_us) + soak->ahead_us;
+    return soak->began_us + SOAK_SPEED * (real_us - soak->began_us) + soak->ahead_us;
 }
 
 static time_t wall(void *context)
@@ -162,8 +163,10 @@ static void plug_in(struct soak *soak)
 
 void soak_post(struct soak *soak, enum soak_source source, int device, const struct event *event)
 {
+    struct event own = *event;
+    own.time_us = soak->event_us;
     if (soak->fakes[source]) {
-        source_fake_post(soak->fakes[source], device, event);
+        source_fake_post(soak->fakes[source], device, &own);
     }
 }
 
@@ -250,7 +253,12 @@ static void count_refused(struct soak *soak)
 
 bool soak_turn(struct soak *soak)
 {
+    double from = bench_wall_s();
     bool good = live_turn(&soak->live);
+    soak->turn_s = bench_wall_s() - from;
+    soak->turn_most_s = soak->turn_s > soak->turn_most_s ? soak->turn_s : soak->turn_most_s;
+    soak->turns++;
+    soak->slow_turns += soak->turn_s > SLOW_S;
     count_refused(soak);
     plug_in(soak);
     struct kiosk *kiosk = soak->live.kiosk.kiosk;
