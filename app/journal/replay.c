@@ -119,6 +119,9 @@ static bool write_end(struct replaying *replaying, struct file_error *error)
     if (def->stats && !stats_write(def->stats, &sheet, player->engine, error)) {
         return false;
     }
+    if (def->svg && !easel_write_plan(player->engine, def->paper_mm, def->svg, error)) {
+        return false;
+    }
     if (!def->picture) {
         return true;
     }
@@ -150,6 +153,7 @@ static void remark(const struct replaying *replaying, struct replay_result *resu
 static bool check(const struct replay_def *def, struct file_error *error)
 {
     return easel_check_file(def->picture, error) && easel_check_file(def->stats, error) &&
+           easel_check_file(def->svg, error) &&
            (!def->video || (video_name(def->video, error) && easel_check_file(def->video, error))) &&
            easel_make_folder(def->frames, error);
 }

@@ -55,6 +55,9 @@ bool easel_write(struct easel_picture *picture, struct engine *engine, const cha
 bool easel_write_frame(struct easel_picture *picture, struct engine *engine, const char *folder, int64_t number,
                        struct file_error *error);
 
+/* The branches as an SVG for plotters (plan.h), on a sheet of this width; 0: PLAN_PAPER_MM. */
+bool easel_write_plan(struct engine *engine, double paper_mm, const char *path, struct file_error *error);
+
 /* What can be known to fail before there is anything to write. Whether a file of that name can be made; NULL can. */
 bool easel_check_file(const char *path, struct file_error *error);
 /* Makes a folder, or takes one that is there; NULL is none. */

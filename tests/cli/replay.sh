@@ -60,6 +60,12 @@ expect 1 replay later.frond -o c.png
 says "frond replay: the journal: the journal is of version 2.0; this Frond (0.1.0) reads version 1"
 [ ! -e c.png ] || fail "$last: left a picture behind"
 
+# A plan of the branches.
+expect 0 replay a.frond --svg plan.svg --paper 150
+grep -q '<svg .*width="150' plan.svg || fail "$last: no plan 150 mm wide"
+expect 2 replay a.frond --svg plan.svg --paper 9
+says "frond replay: --paper: '9' is not it; 10 to 5000 mm"
+
 # The command line.
 expect 2 replay
 says "frond replay: no journal is given; see frond replay --help"
