@@ -84,7 +84,9 @@ static void hear(struct live_group *group, struct live_kiosk *kiosk)
         snprintf(group->line, sizeof group->line, "broker: %.100s %s '%.60s'", message.topic,
                  known ? "says" : "says what is not known here,", message.text);
         for (char *c = group->line; *c; c++) { /* it comes from a network */
-            *c = (unsigned char)*c < ' ' || *c == 0x7f ? '?' : *c;
+            if ((unsigned char)*c < ' ' || *c == 0x7f) {
+                *c = '?';
+            }
         }
         group->has_line = true;
     }
