@@ -218,7 +218,9 @@ static bool read_path(struct journal_reader *reader, struct cursor *body, struct
         reader->points_room = count;
     }
     for (int i = 0; i < count; i++) {
-        struct point point = {cursor_float(body), cursor_float(body)};
+        struct point point;
+        point.x = cursor_float(body);
+        point.y = cursor_float(body);
         if (!(fabsf(point.x) <= PLACE_MOST && fabsf(point.y) <= PLACE_MOST)) { /* NaN too */
             return false;
         }
