@@ -460,7 +460,7 @@ static void varints_and_crc_are_the_standard_ones(void **state)
     uint32_t little = 0;
     assert_non_null(much);
     for (int i = 0; i < 100003; i++) {
-        much[i] = (uint8_t)(i * i / 7);
+        much[i] = (uint8_t)((unsigned)i * (unsigned)i / 7);
         little = bytes_crc(little, much + i, 1);
     }
     assert_int_equal(bytes_crc(0, much, 100003), little);
