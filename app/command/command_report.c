@@ -1,10 +1,16 @@
+#define _GNU_SOURCE /* pipe2, environ */
 #include <errno.h>
+#include <fcntl.h>
 #include <getopt.h>
 #include <math.h>
+#include <spawn.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/utsname.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "bundle.h"
 #include "command.h"
@@ -150,17 +156,54 @@ static void put_board(const struct work *work, FILE *out)
     thermal_destroy(thermal);
 }
 
+/* What the program prints, by a pipe of its own. */
+static FILE *start(const char *const *arguments, pid_t *pid)
+{
+    int ends[2];
+    posix_spawn_file_actions_t actions;
+    if (pipe2(ends, O_CLOEXEC) != 0) {
+        return NULL;
+    }
+    int code = posix_spawn_file_actions_init(&actions);
+    if (code == 0) {
+        code = posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        code = code ? code : posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+        code = code ? code : posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+        code =
+            code ? code : posix_spawnp(pid, arguments[0], &actions, NULL, (char *const *)(uintptr_t)arguments, environ);
+        posix_spawn_file_actions_destroy(&actions);
+    }
+    close(ends[1]);
+    FILE *out = code == 0 ? fdopen(ends[0], "r") : NULL;
+    if (!out) {
+        close(ends[0]);
+    }
+    return out;
+}
+
 static void put_journal(const struct work *work, FILE *out)
 {
+    static const char *const arguments[] = {"timeout",
+                                            "20",
+                                            "journalctl",
+                                            "--unit=frond",
+                                            "--boot",
+                                            "--lines=2000",
+                                            "--no-hostname",
+                                            "--output=short-monotonic",
+                                            "--quiet",
+                                            "--no-pager",
+                                            NULL};
+    pid_t pid = 0;
     (void)work;
-    FILE *journal =
-        popen("timeout 20 journalctl --unit=frond --boot --lines=2000 --output=short-monotonic --no-hostname "
-              "--quiet --no-pager 2>&1 </dev/null",
-              "re");
-    if (journal) {
-        copy(journal, out);
-        pclose(journal);
+    FILE *journal = start(arguments, &pid);
+    if (!journal) {
+        fprintf(out, "journalctl does not start\n");
+        return;
     }
+    copy(journal, out);
+    fclose(journal);
+    waitpid(pid, NULL, 0);
 }
 
 static const struct {

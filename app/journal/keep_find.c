@@ -11,7 +11,7 @@
 #include "player.h"
 
 static const int ALL_THREADS = 0;
-static const double PATIENCE_S = 2.0; /* for repeating */
+static const double PATIENCE_S = 1.5; /* for repeating */
 
 void keep_found_finish(struct keep_found *found)
 {

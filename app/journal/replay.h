@@ -16,8 +16,8 @@ struct replay_def {
     const char *video;      /* .mp4 or .webm, by ffmpeg */
     const char *stats;      /* JSON (stats.h) of the end, with the hash of its state */
     int every;              /* ticks from one picture on the way to the next */
-    int scale;              /* pixels a cell of the first sheet, along a side */
-    int width, height;      /* pixels instead; 0: as `scale` says */
+    int scale;              /* pixels a cell of the first sheet, of the picture of the end alone; 0: as below */
+    int width, height;      /* pixels of all pictures else; 0: a pixel a cell */
     struct easel_def easel; /* the engine, its threads */
 };
 

@@ -82,7 +82,8 @@ static void feel(struct live *live)
     live_input_feel(&live->input, live->display, live->studio);
     enum log_level level;
     live_kiosk_run(&live->kiosk);
-    while (live_input_log(&live->input, line, sizeof line) || live_service_log(&live->service, line, sizeof line)) {
+    while (live_input_log(&live->input, line, sizeof line) || live_service_log(&live->service, line, sizeof line) ||
+           live_group_log(&live->group, line, sizeof line)) {
         say(live, LOG_LEVEL_NOTICE, "%s", line);
     }
     while (live_kiosk_log(&live->kiosk, line, sizeof line, &level)) {
@@ -238,6 +239,7 @@ bool live_turn(struct live *live)
     bool good = draw(live);
     look_after(live);
     live_service_turn(&live->service, &live->kiosk, now_us());
+    live_group_turn(&live->group, &live->kiosk, &live->service.status, now_us());
     return good;
 }
 
@@ -310,6 +312,7 @@ bool live_open(struct live *live, const struct script *script, struct display *d
 
 void live_close(struct live *live)
 {
+    live_group_close(&live->group);
     live_service_close(&live->service);
     studio_destroy(live->studio);
     live_keep_close(&live->painting);

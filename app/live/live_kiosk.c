@@ -74,6 +74,12 @@ static struct kiosk_sheet stage_sheet(void *context)
     return (struct kiosk_sheet){report.sessions, report.ticks, report.can_undo, report.can_redo};
 }
 
+static bool stage_guide(void *context, struct action *guide)
+{
+    struct live_kiosk *kiosk = context;
+    return kiosk->pictures && live_pictures_next(kiosk->pictures, guide);
+}
+
 static void stage_status(void *context, char *lines, size_t size)
 {
     struct live_kiosk *kiosk = context;
@@ -94,6 +100,12 @@ static bool same_gallery(const struct exhibit_gallery *a, const struct exhibit_g
            (a->folder && b->folder ? strcmp(a->folder, b->folder) == 0 : a->folder == b->folder);
 }
 
+static void gallery_path(const struct live_kiosk *kiosk, const struct exhibit *exhibit, char *path, size_t size)
+{
+    snprintf(path, size, "%s/%s", kiosk->state ? kiosk->state : "",
+             exhibit->gallery.folder ? exhibit->gallery.folder : "");
+}
+
 /* `before`: what was shown until now, or NULL. The same gallery stays open: to close one waits for what it writes. */
 static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit, const struct exhibit *before)
 {
@@ -103,9 +115,9 @@ static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit
     }
     gallery_destroy(kiosk->gallery);
     kiosk->gallery = NULL;
-    kiosk->keep = false;
+    kiosk->keep = kiosk->slides.asked = false;
     if (kiosk->state && exhibit->gallery.folder) {
-        snprintf(folder, sizeof folder, "%s/%s", kiosk->state, exhibit->gallery.folder);
+        gallery_path(kiosk, exhibit, folder, sizeof folder);
         kiosk->gallery = gallery_create(&(struct gallery_def){.folder = folder,
                                                               .pictures = exhibit->gallery.pictures,
                                                               .bytes = (int64_t)exhibit->gallery.megabytes << 20,
@@ -155,14 +167,16 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
     if (!def->exhibit) {
         return true;
     }
-    struct kiosk_def kiosk_def = {
-        .exhibit = def->exhibit,
-        .width = size.width > 0 ? size.width : DISPLAY_HEADLESS_WIDTH,
-        .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
-        .seed = (uint64_t)live_clock_wall(&def->clock),
-        .built = FROND_BUILT,
-        .open = def->open,
-        .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power, stage_sheet, stage_status}};
+    struct kiosk_def kiosk_def = {.exhibit = def->exhibit,
+                                  .width = size.width > 0 ? size.width : DISPLAY_HEADLESS_WIDTH,
+                                  .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
+                                  .seed = (uint64_t)live_clock_wall(&def->clock),
+                                  .built = FROND_BUILT,
+                                  .open = def->open,
+                                  .resume = def->painting->scene >= 0,
+                                  .scene = def->painting->scene,
+                                  .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power,
+                                            stage_sheet, stage_guide, stage_status}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
     kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
     if (!kiosk->kiosk || !kiosk->watch) {
@@ -172,6 +186,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
         refuse(kiosk, "the exhibit cannot be shown, and another one stands in for it until it can", def->trouble);
     }
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
+    live_slides_open(&kiosk->slides);
+    kiosk->pictures = live_pictures_create(kiosk_shows(kiosk->kiosk));
     live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
     kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
@@ -184,6 +200,8 @@ void live_kiosk_close(struct live_kiosk *kiosk)
     exhibit_watch_destroy(kiosk->watch);
     kiosk_destroy(kiosk->kiosk);
     exhibit_destroy(kiosk->before);
+    live_slides_close(&kiosk->slides);
+    live_pictures_destroy(kiosk->pictures);
     gallery_destroy(kiosk->gallery);
     *kiosk = (struct live_kiosk){.kiosk = NULL};
 }
@@ -217,6 +235,9 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     bool same = same_hands(kiosk_shows(kiosk->kiosk), exhibit);
     kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
+    if (kiosk->pictures) {
+        live_pictures_set(kiosk->pictures, kiosk_shows(kiosk->kiosk));
+    }
     if (same) { /* the inputs in use become the new exhibit's */
         struct inputs *inputs = exhibit->inputs;
         exhibit->inputs = kiosk->before->inputs;
@@ -255,6 +276,14 @@ static void look_at_file(struct live_kiosk *kiosk)
     }
 }
 
+static void run_slides(struct live_kiosk *kiosk)
+{
+    const struct exhibit *exhibit = kiosk_shows(kiosk->kiosk);
+    char folder[1200];
+    gallery_path(kiosk, exhibit, folder, sizeof folder);
+    live_slides_run(&kiosk->slides, kiosk->kiosk, kiosk->gallery, folder, exhibit->gallery.stick, now_us(kiosk));
+}
+
 void live_kiosk_run(struct live_kiosk *kiosk)
 {
     if (!kiosk->kiosk) {
@@ -271,6 +300,7 @@ void live_kiosk_run(struct live_kiosk *kiosk)
         kiosk->visited = !kiosk->visited;
         live_keep_visit(kiosk->painting, kiosk->visited);
     }
+    run_slides(kiosk);
     look_at_file(kiosk);
 }
 
@@ -350,7 +380,8 @@ bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size, enum log_lev
         return true;
     }
     *level = LOG_LEVEL_NOTICE;
-    if (kiosk->kiosk && live_keep_log(kiosk->painting, line, size)) {
+    if (kiosk->kiosk && (live_keep_log(kiosk->painting, line, size) || live_slides_log(&kiosk->slides, line, size) ||
+                         (kiosk->pictures && live_pictures_log(kiosk->pictures, line, size)))) {
         return true;
     }
     return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);

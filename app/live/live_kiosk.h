@@ -11,6 +11,8 @@
 #include "live_keep.h"
 #include "live_overlay.h"
 #include "live_picture.h"
+#include "live_pictures.h"
+#include "live_slides.h"
 #include "live_status.h"
 #include "log.h"
 #include "studio.h"
@@ -32,7 +34,9 @@ struct live_kiosk {
     struct exhibit_watch *watch;
     struct exhibit *before; /* until the studio has let go of its scripts */
     struct gallery *gallery;
-    struct live_status_def status; /* the others, who are not ours */
+    struct live_slides slides;
+    struct live_pictures *pictures; /* of the exhibit's folder */
+    struct live_status_def status;  /* the others, who are not ours */
     struct live_picture *picture;
     struct live_input *input;
     struct live_input_def input_def;

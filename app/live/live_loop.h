@@ -5,6 +5,7 @@
 
 #include "live.h"
 #include "live_care.h"
+#include "live_group.h"
 #include "live_input.h"
 #include "live_kiosk.h"
 #include "live_picture.h"
@@ -22,6 +23,7 @@ struct live {
     struct live_input input;
     struct live_keep painting;
     struct live_service service;
+    struct live_group group;
     struct log log;
     struct live_kiosk kiosk; /* without an exhibit it does nothing */
     struct shader_folder folder;

@@ -96,9 +96,9 @@ void live_service_turn(struct live_service *service, const struct live_kiosk *ki
         service->reloads = kiosk->reloads;
         service_reloaded(service->service, now_us);
     }
+    service->status.uptime_s = (double)(now_us - service->start_us) / 1e6;
+    service->status.unix_s = (int64_t)time(NULL);
     if (service->writer && status_writer_due(service->writer, now_us)) {
-        service->status.uptime_s = (double)(now_us - service->start_us) / 1e6;
-        service->status.unix_s = (int64_t)time(NULL);
         live_service_status(&service->status, kiosk);
         status_writer_post(service->writer, &service->status, now_us);
     }

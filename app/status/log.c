@@ -89,6 +89,7 @@ size_t log_bytes(struct log *log, enum log_level level, uint64_t now_us, const c
     struct log_known *known = find(log, hash_of(text), now_us);
     uint32_t same, all;
     char note[80];
+    bytes[0] = '\0';
     if (!admit(&known->since_us, &known->said, &known->held, LOG_SAME, now_us, &same) ||
         !admit(&log->since_us, &log->said, &log->held, LOG_LINES, now_us, &all)) {
         return 0;

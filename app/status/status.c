@@ -120,17 +120,17 @@ static struct json_object *board_object(const struct status *status)
 
 static struct json_object *devices_array(const struct status *status)
 {
-    struct json_object *array = json_object_new_array();
+    struct json_object *list = json_object_new_array();
     for (int i = 0; i < status->device_count; i++) {
         const struct status_device *device = &status->devices[i];
-        struct json_object *object = json_object_new_object();
-        add_text(object, "name", device->name);
-        add_text(object, "class", device->class);
-        add_flag(object, "admitted", device->admitted);
-        add_flag(object, "works", device->works);
-        json_object_array_add(array, object);
+        struct json_object *entry = json_object_new_object();
+        add_text(entry, "name", device->name);
+        add_text(entry, "class", device->class);
+        add_flag(entry, "admitted", device->admitted);
+        add_flag(entry, "works", device->works);
+        json_object_array_add(list, entry);
     }
-    return array;
+    return list;
 }
 
 size_t status_json(const struct status *status, char *text, size_t size)

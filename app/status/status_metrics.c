@@ -111,6 +111,7 @@ static void put_devices(struct page *page, const struct status *status)
 size_t status_metrics(const struct status *status, char *text, size_t size)
 {
     struct page page = {text, size, 0};
+    text[0] = '\0';
     put_info(&page, status);
     gauge(&page, "uptime_seconds", floor(status->uptime_s), "Since Frond was started.");
     counter(&page, "visits_total", status->visits, "Visits that have begun.");

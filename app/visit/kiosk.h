@@ -38,6 +38,9 @@ struct kiosk_stage {
     void (*keep)(void *context);                                /* the picture as it is goes to the gallery */
     void (*power)(void *context, bool on);                      /* of the screen */
     struct kiosk_sheet (*sheet)(void *context);
+    /* A field of a stock picture for a fresh sheet that paints itself (ACTION_GUIDE); false: none is ready. May be
+     * NULL. */
+    bool (*guide)(void *context, struct action *guide);
     /* Lines of "name\tvalue\n" for the staff; may be NULL. */
     void (*status)(void *context, char *lines, size_t size);
 };
@@ -77,8 +80,19 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
 /* The exhibit's file cannot be used as it is now, and why; NULL: it can. The staff sees a mark, and reads it in the
  * status view. */
 void kiosk_trouble(struct kiosk *kiosk, const char *report);
+/* Whether a picture of the gallery may be shown now, in attract: once for each time. */
+bool kiosk_wants_slide(struct kiosk *kiosk);
+/* Shows it for as long as the exhibit says, unless somebody comes: RGBA, multiplied by alpha, from malloc, taken over.
+ */
+void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint64_t now_us);
 /* The sheet has another size. */
 void kiosk_resize(struct kiosk *kiosk, int width, int height);
+
+/* The scene of this id is shown as soon as nobody paints. False: the exhibit has none. */
+bool kiosk_want_scene(struct kiosk *kiosk, const char *id);
+enum kiosk_hours { KIOSK_BY_SCHEDULE, KIOSK_OPEN, KIOSK_CLOSED };
+/* Open or closed, whatever the schedule says, until told otherwise. */
+void kiosk_keep_hours(struct kiosk *kiosk, enum kiosk_hours hours);
 
 const struct exhibit *kiosk_shows(const struct kiosk *kiosk);
 const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk);

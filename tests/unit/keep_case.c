@@ -114,6 +114,9 @@ uint64_t keep_case_hash(const struct keep_case *one)
 bool keep_case_paint(struct keep_case_table *table)
 {
     struct keep_case one;
+    if (table->painted) {
+        return true;
+    }
     if (!keep_case_open(&one, NULL, NULL)) {
         return false;
     }
@@ -125,6 +128,7 @@ bool keep_case_paint(struct keep_case_table *table)
         keep_case_tick(&one);
     }
     keep_case_close(&one);
+    table->painted = true;
     return true;
 }
 
