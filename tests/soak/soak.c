@@ -1,5 +1,5 @@
-/* soak [--minutes N | --seconds N] [--seed N] [--aloud]: a kiosk with visitors, and all that goes wrong. Tells figures
- * once a minute; the exit status is 0 when everything is as it should be. */
+/* soak [--minutes N | --seconds N] [--seed N] [--only FAULT] [--aloud]: a kiosk with visitors, and all that goes wrong.
+ * Tells figures once a minute; the exit status is 0 when everything is as it should be. */
 #include "soak.h"
 
 #include <stdio.h>
@@ -19,6 +19,7 @@ enum { BESIDES = 20 };
 struct order {
     double seconds;
     uint32_t seed;
+    const char *only; /* this fault alone, and often; NULL: all */
     bool aloud;
 };
 
@@ -30,6 +31,11 @@ static bool read_order(int count, char **arguments, struct order *order)
         char *end = NULL;
         if (strcmp(name, "--aloud") == 0) {
             order->aloud = true;
+            continue;
+        }
+        if (strcmp(name, "--only") == 0 && *value) {
+            order->only = value;
+            i++;
             continue;
         }
         double number = strtod(value, &end);
@@ -122,7 +128,8 @@ static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *
         chatter_listen(chatter, soak_s(soak));
         const struct live_kiosk *kiosk = &soak->live.kiosk;
         bool calm = guest->state == GUEST_AWAY && faults_over(faults) && !kiosk->before && phantoms(soak) == 0 &&
-                    strcmp(kiosk_state(kiosk->kiosk), "attract") == 0;
+                    !(kiosk->gallery && gallery_busy(kiosk->gallery)) &&
+                    strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && gauge->quiet;
         calm_s = calm ? (calm_s > 0 ? calm_s : soak_s(soak)) : 0;
         rested = calm && soak_s(soak) > calm_s + 2;
     }
@@ -140,7 +147,11 @@ static bool run(struct soak *soak, const struct order *order)
     struct faults faults;
     double told_s = 0;
     if (!chatter_open(&chatter, order->aloud) || !soak_open(soak, order->seed) ||
-        !faults_init(&faults, soak, order->seconds < LONG_S ? 0.4 : 1) ||
+        !faults_init(&faults, soak,
+                     order->only               ? 0.1
+                     : order->seconds < LONG_S ? 0.4
+                                               : 1,
+                     order->only) ||
         !gauge_open(&gauge, soak, order->seconds < LONG_S ? 3 : 30)) {
         chatter_close(&chatter);
         soak_say("the soak cannot begin; the last line was: %s", chatter.last);
@@ -177,7 +188,7 @@ int main(int count, char **arguments)
     static struct soak soak;
     struct order order;
     if (!read_order(count, arguments, &order)) {
-        fprintf(stderr, "soak [--minutes N | --seconds N] [--seed N] [--aloud]\n");
+        fprintf(stderr, "soak [--minutes N | --seconds N] [--seed N] [--only FAULT] [--aloud]\n");
         return 2;
     }
     setvbuf(stdout, NULL, _IOLBF, 0);

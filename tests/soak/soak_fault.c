@@ -1,5 +1,6 @@
 #include "soak_fault.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -175,7 +176,7 @@ static double due(struct soak *soak, double now, double length_s)
     return now + length_s * (0.2 + 0.0016 * soak_random(soak, 1000));
 }
 
-bool faults_init(struct faults *faults, struct soak *soak, double pace)
+bool faults_init(struct faults *faults, struct soak *soak, double pace, const char *only)
 {
     static const char *const LEVELS[] = {"", "/sys", "/sys/class", "/sys/class/thermal",
                                          "/sys/class/thermal/thermal_zone0"};
@@ -193,7 +194,8 @@ bool faults_init(struct faults *faults, struct soak *soak, double pace)
     thermal_destroy(soak->live.care.thermal);
     soak->live.care.thermal = thermal_create(faults->heat);
     for (int i = 0; i < FAULT_KINDS; i++) {
-        faults->fault[i].due_s = due(soak, 1, pace * rhythms[i].every_s);
+        faults->fault[i].due_s =
+            only && strcmp(only, rhythms[i].name) != 0 ? INFINITY : due(soak, 1, pace * rhythms[i].every_s);
     }
     return good && soak->live.care.thermal;
 }

@@ -34,8 +34,9 @@ struct faults {
     bool retired;   /* nothing begins any more */
 };
 
-/* `soak` is open. False: the folders of faults cannot be made. */
-bool faults_init(struct faults *faults, struct soak *soak, double pace);
+/* `soak` is open. `only`: the name of the one fault that there is; NULL: all. False: the folders of faults cannot be
+ * made. */
+bool faults_init(struct faults *faults, struct soak *soak, double pace, const char *only);
 void faults_turn(struct faults *faults, struct soak *soak);
 /* Everything is as it should be. */
 bool faults_over(const struct faults *faults);
