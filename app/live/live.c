@@ -1,6 +1,7 @@
 #include "live.h"
 
 #include <errno.h>
+#include <malloc.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -21,6 +22,8 @@ enum {
     WAIT_MS = 100,        /* for something to happen, at most */
     NAP_US = 2000,        /* while the next picture is being painted */
     RENEW_EVERY_MS = 250, /* tries to come back from a lost GPU */
+    LARGE_BYTES = 256 << 10,
+    ARENAS = 2,
 };
 
 static const double AGAIN_S = 0.25; /* the last picture is presented again: a window may have been uncovered */
@@ -292,11 +295,24 @@ static bool open_input(struct live *live)
     return good;
 }
 
+/* What is large goes back to the system as soon as it is free. By itself glibc (mallopt(3)) raises the size from which
+ * it does that to what was freed last, up to 32 MiB, and a process that runs for months keeps the most it ever had,
+ * once an arena. */
+static void keep_memory_low(void)
+{
+#ifdef M_MMAP_THRESHOLD
+    mallopt(M_MMAP_THRESHOLD, LARGE_BYTES);
+    mallopt(M_TRIM_THRESHOLD, LARGE_BYTES);
+    mallopt(M_ARENA_MAX, ARENAS);
+#endif
+}
+
 bool live_open(struct live *live, const struct script *script, struct display *display, const struct live_def *def)
 {
     *live = (struct live){
         .script = script, .def = def, .display = display, .folder = {def->shaders}, .state = display_state(display)};
     log_init(&live->log, STDERR_FILENO);
+    keep_memory_low();
     live->signals = catch_signals();
     live_picture_init(&live->picture, script, def->xray, def->shaders ? &live->folder : NULL);
     snprintf(live->described, sizeof live->described, "%s", display_describe(display));
