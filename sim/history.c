@@ -192,7 +192,7 @@ static void paint(struct history *history, struct engine *engine, const struct a
         return;
     }
     uint32_t moment = history_moment(history);
-    struct group *group = history_group_for(history, action, marks, count, moment);
+    struct group *group = history_group_for(history, action, marks, moment);
     bool rewinds = action->verb == ACTION_REWIND;
     history_keep(history, engine, history_around(history, marks, count, rewinds ? 1 : AROUND), moment, group->id);
     history_add_marks(history, group, marks, count);

@@ -11,7 +11,8 @@
  * What is undone together, a group, is what a visitor did in one go: a drop begins a group, and so does a stroke that
  * does not go on from where the visitor has been, or comes after a pause. Its territory (territory.h) goes back to what
  * it was before; where it ends, old and new blend over some cells. A dropped group, one too old for the store, stays
- * painted. What concerns the whole sheet (`set`, `dry`, a mask from a picture) is no group; `clear` forgets all. */
+ * painted. What concerns the whole sheet (`set`, `dry`, a mask from a picture, a wash) is no group; `clear` forgets
+ * all. */
 #ifndef FROND_HISTORY_H
 #define FROND_HISTORY_H
 

@@ -52,7 +52,7 @@ int history_marks_of(const struct history *history, const struct action *action,
          by_path = path->count > 0;
     bool whole = action->invert || (!by_path && (action->formula.values || action->picture.values));
     int count = 0;
-    if (whole || (!point && !by_path)) {
+    if (whole || (!point && !by_path) || action->verb == ACTION_RINSE) { /* a wash is for everybody */
         return 0;
     }
     if (by_path && key_find(action_keys(action->verb), "path")) {
@@ -188,10 +188,9 @@ static void make_way(struct history *history, int visitor)
 }
 
 struct group *history_group_for(struct history *history, const struct action *action, const struct mark *marks,
-                                int count, uint32_t moment)
+                                uint32_t moment)
 {
     struct group *group = find_open(history, action, marks, moment);
-    (void)count;
     if (!group) {
         make_way(history, action->visitor);
         group = &history->groups[history->next_group % HISTORY_GROUPS];

@@ -76,8 +76,8 @@ static void plan_rewind(struct restoring *restoring, int tile, struct plan *plan
         plan->share[cell] = 0.0f;
         plan->ground[cell] = 0;
         if (lost) {
-            float x = (float)(x_of(history, tile) + cell % TILE), y = (float)(y_of(history, tile) + cell / TILE);
-            float cover = cover_of(restoring, x + 0.5f, y + 0.5f);
+            int x = x_of(history, tile) + cell % TILE, y = y_of(history, tile) + cell / TILE;
+            float cover = cover_of(restoring, (float)x + 0.5f, (float)y + 0.5f);
             plan->share[cell] = aim(restoring, tile, lost, cover, &plan->versions[cell]);
             plan->ground[cell] = plan->share[cell] >= 0.5f;
             plan->any = plan->any || plan->share[cell] > 0.0f;

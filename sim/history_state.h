@@ -87,7 +87,7 @@ int history_marks_of(const struct history *history, const struct action *action,
 /* The group that an action belongs to, made if need be; its marks are kept. What the visitor has undone is forgotten.
  */
 struct group *history_group_for(struct history *history, const struct action *action, const struct mark *marks,
-                                int count, uint32_t moment);
+                                uint32_t moment);
 void history_add_marks(struct history *history, const struct group *group, const struct mark *marks, int count);
 /* The group that undo (DONE) or redo (UNDONE) of a visitor concerns, or NULL. */
 struct group *history_find(struct history *history, int visitor, enum group_state state);

@@ -289,7 +289,8 @@ static void lose_claimed(struct history *history, const struct territory *territ
 
 static struct territory territory_of(const struct group *group, uint32_t now)
 {
-    float ticks = (float)(now / MOMENTS - group->begin / MOMENTS), flow = FLOW_ROOM + FLOW * ticks;
+    uint32_t passed = now / MOMENTS - group->begin / MOMENTS;
+    float ticks = (float)passed, flow = FLOW_ROOM + FLOW * ticks;
     return (struct territory){.begin = group->begin,
                               .moments_a_cell = (float)MOMENTS / SPEED,
                               .growth = GROWTH_ROOM + GROWTH * ticks,

@@ -122,21 +122,21 @@ static void join_line(struct past *past, uint32_t index)
     past->last = index;
 }
 
-void past_release(struct past *past, uint32_t index)
+void past_release(struct past *past, uint32_t version)
 {
-    struct version *version = &past->versions[index];
+    struct version *gone = &past->versions[version];
     for (int slot = 0; slot < SLOTS; slot++) {
-        let_go_block(past, version->slots[slot]);
+        let_go_block(past, gone->slots[slot]);
     }
-    leave_line(past, index);
-    if (version->tile >= 0) {
-        struct line *tile = &past->tiles[version->tile];
-        *(version->older == PAST_NONE ? &tile->oldest : &past->versions[version->older].newer) = version->newer;
-        *(version->newer == PAST_NONE ? &tile->newest : &past->versions[version->newer].older) = version->older;
+    leave_line(past, version);
+    if (gone->tile >= 0) {
+        struct line *tile = &past->tiles[gone->tile];
+        *(gone->older == PAST_NONE ? &tile->oldest : &past->versions[gone->older].newer) = gone->newer;
+        *(gone->newer == PAST_NONE ? &tile->newest : &past->versions[gone->newer].older) = gone->older;
         tile->cut = true;
     }
-    version->older = past->free_version;
-    past->free_version = index;
+    gone->older = past->free_version;
+    past->free_version = version;
     past->free_versions++;
 }
 

@@ -35,9 +35,9 @@ uint32_t past_moment(const struct past *past, uint32_t version);
 void past_read_plane(const struct past *past, uint32_t version, int plane, uint16_t to[TILE_CELLS]);
 void past_read(const struct past *past, uint32_t version, struct tile_code *code);
 
-/* A version of its own, of no tile, that stays until it is released: as `version` is, with a plane more. PAST_NONE when
+/* A version of its own, of no tile, that stays until it is released: as `from` is, with a plane more. PAST_NONE when
  * the store is full of what cannot go. */
-uint32_t past_copy(struct past *past, uint32_t version, const uint16_t extra[TILE_CELLS]);
+uint32_t past_copy(struct past *past, uint32_t from, const uint16_t extra[TILE_CELLS]);
 void past_read_extra(const struct past *past, uint32_t version, uint16_t to[TILE_CELLS]);
 void past_release(struct past *past, uint32_t version);
 

@@ -1,6 +1,6 @@
 # cmake -DROOM=sim -DFOLDER=... -DSTAMP=... -P check_room.cmake : see rooms.cmake.
 file(GLOB_RECURSE sources ${FOLDER}/*.[ch] ${FOLDER}/*.cpp)
-set(device_headers "libinput|libudev|hidapi|gpiod|gbm|xf86drm|linux/|EGL/|SDL")
+set(device_headers "libinput|libudev|hidapi|gpiod|gbm|xf86drm|linux/|EGL/|SDL|systemd/|mosquitto")
 set(problems "")
 foreach(source IN LISTS sources)
     execute_process(COMMAND grep -nE "^[ \t]*#[ \t]*include" ${source} OUTPUT_VARIABLE includes)

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "bench.h"
+#include "history.h"
 #include "painting.h"
 #include "random.h"
 
@@ -17,18 +18,31 @@ struct order {
     bool dense;
 };
 
-static struct painting *sheet_with_drops(struct order order)
+static struct action drop_of(struct order order, int i)
+{
+    struct action drop = action_default(ACTION_DROP);
+    drop.at.x = order.drops == 1 ? 0.5f : 0.1f + 0.8f * random_unit(i, 0, 1, RANDOM_GRAIN);
+    drop.at.y = order.drops == 1 ? 0.5f : 0.1f + 0.8f * random_unit(i, 1, 1, RANDOM_GRAIN);
+    drop.ink = i % PAINTING_INKS;
+    drop.visitor = i + 1;
+    return drop;
+}
+
+static struct painting_def def_of(struct order order)
 {
     struct painting_def def = painting_default_def();
     def.width = def.height = order.size;
     def.threads = order.threads;
     def.dense = order.dense;
+    return def;
+}
+
+static struct painting *sheet_with_drops(struct order order)
+{
+    struct painting_def def = def_of(order);
     struct painting *painting = painting_create(&def);
     for (int i = 0; painting && i < order.drops; i++) {
-        struct action drop = action_default(ACTION_DROP);
-        drop.at.x = order.drops == 1 ? 0.5f : 0.1f + 0.8f * random_unit(i, 0, 1, RANDOM_GRAIN);
-        drop.at.y = order.drops == 1 ? 0.5f : 0.1f + 0.8f * random_unit(i, 1, 1, RANDOM_GRAIN);
-        drop.ink = i % PAINTING_INKS;
+        struct action drop = drop_of(order, i);
         painting_act(painting, &drop);
     }
     return painting;
@@ -87,6 +101,47 @@ static bool time_layers(struct bench *bench, double triad)
     return true;
 }
 
+/* What a history adds to a tick, and what the longest of its ticks, an action and an undo take: milliseconds of CPU
+ * time of the thread. */
+static bool time_history(struct bench *bench)
+{
+    enum { TICKS = 240 };
+    const struct order order = {720, 10, 0, false};
+    struct painting_def def = def_of(order);
+    struct history_def history_def = history_default_def();
+    struct engine *engine = engine_cpu_create(&def);
+    struct history *history = history_create(&history_def, &def);
+    double sum = 0, most = 0, act = 0;
+    for (int tick = 0; engine && history && tick < TICKS; tick++) {
+        double start = bench_thread_s();
+        if (tick >= 60 && tick < 60 + order.drops) {
+            struct action drop = drop_of(order, tick - 60);
+            history_act(history, engine, &drop);
+            double took = bench_thread_s() - start;
+            act = took > act ? took : act;
+            start = bench_thread_s();
+        }
+        history_tick(history, engine);
+        double took = bench_thread_s() - start;
+        sum += took;
+        most = took > most ? took : most;
+        engine->ops->tick(engine);
+    }
+    if (engine && history) {
+        double start = bench_thread_s();
+        struct action undo = action_default(ACTION_UNDO);
+        history_act(history, engine, &undo);
+        bench_add(bench, "history_undo_720", 1e3 * (bench_thread_s() - start), "ms", 0);
+        bench_add(bench, "history_action_720", 1e3 * act, "ms", 0);
+        bench_add(bench, "history_tick_most_720", 1e3 * most, "ms", 0);
+        bench_add(bench, "history_tick_mean_720", 1e3 * sum / TICKS, "ms", 0);
+    }
+    bool whole = engine && history;
+    history_destroy(history);
+    engine_destroy(engine);
+    return whole;
+}
+
 static void add_rate(struct bench *bench, const char *name, double tick_s, int size, double triad)
 {
     double pass_s = 2.0 * (STATE_BYTES + PATTERN_BYTES) * size * size / triad;
@@ -106,9 +161,10 @@ bool bench_painting(struct bench *bench)
     };
     bench->name = "painting";
     bench->meaning = "the dendritic painting on the CPU engine; all processors unless the name says one thread;\n"
-                     "one_drop and ten_drops: asleep where nothing happens, mean of the first 800 ticks";
+                     "one_drop and ten_drops: asleep where nothing happens, mean of the first 800 ticks;\n"
+                     "history: CPU time of its thread, ten drops, 240 ticks";
     double triad = bench_triad();
-    if (triad <= 0 || !time_layers(bench, triad)) {
+    if (triad <= 0 || !time_layers(bench, triad) || !time_history(bench)) {
         return false;
     }
     for (size_t i = 0; i < sizeof SIZES / sizeof SIZES[0]; i++) {

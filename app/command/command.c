@@ -6,14 +6,14 @@
 #include "script_value.h"
 
 const struct command commands[] = {
-    {"run", "[SCRIPT]", "the demonstration, or a session, rendered to out/", command_run},
+    {"run", "[EXHIBIT]", "the kiosk: an exhibit, or a session, live on what is there", command_run},
     {"render", "SCRIPT -o FILE.png", "a session without a display", command_render},
     {"grow", "PICTURE -o FILE.png", "a dendrite or a tree in which a picture can be seen", command_grow},
     {"replay", "JOURNAL -o FILE.png", "a painting again, from its journal: picture, print, film", command_replay},
-    {"check", "FILE...", "prints every problem of session scripts and inputs files", command_check},
-    {"explain", "[KEY]", "every key of session scripts and inputs files: type, range, default, meaning",
-     command_explain},
+    {"check", "FILE...", "prints every problem of exhibits, sessions and inputs files", command_check},
+    {"explain", "[KEY]", "every key of exhibits and sessions: type, range, default, meaning", command_explain},
     {"devices", "[--watch]", "what is plugged in, what is missing, and how to mend it", command_devices},
+    {"report", "[-o FILE.tar.gz]", "what somebody who helps needs to know, without personal data", command_report},
     {"bench", "[NAME] [--json]", "the measurements in the README", command_bench},
     {.name = NULL},
 };

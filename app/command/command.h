@@ -23,6 +23,7 @@ int command_check(int argc, char *argv[]);
 int command_explain(int argc, char *argv[]);
 int command_bench(int argc, char *argv[]);
 int command_devices(int argc, char *argv[]);
+int command_report(int argc, char *argv[]);
 int command_run(int argc, char *argv[]);
 int command_grow(int argc, char *argv[]);
 

@@ -5,6 +5,7 @@
 #include "command.h"
 #include "option.h"
 #include "picture.h"
+#include "plan.h"
 #include "replay.h"
 #include "script.h"
 
@@ -12,12 +13,14 @@ static const char HELP[] =
     "usage: frond replay JOURNAL [-o FILE.png] [OPTIONS]\n\n"
     "Paints again what a journal holds, from its first tick to its last.\n\n"
     "  -o, --output FILE.png  the picture at its end\n"
-    "      --scale N          pixels a cell, 1 to 16; 1 if left out\n"
-    "      --size WxH         pixels of the pictures instead\n"
+    "      --scale N          a print: pixels a cell of that picture, 1 to 16\n"
+    "      --size WxH         pixels of the pictures and the film; a pixel a cell if left out\n"
     "      --frames DIR       pictures on the way: DIR/000010.png, numbered by tick\n"
     "      --video FILE       the same as a film of 30 pictures a second, FILE.mp4 or FILE.webm, by ffmpeg\n"
     "      --every N          ticks from one picture on the way to the next; 10 if left out: five times as\n"
     "                         fast as it was painted\n"
+    "      --svg FILE.svg     the branches at the end as strokes in millimetres, for plotters and embroidery\n"
+    "      --paper MM         width of its sheet; 200 if left out\n"
     "      --stats FILE.json  sums, extremes, the figures of the shape and the hash of the end\n"
     "      --engine KIND      cpu (if left out), gpu, or auto: the faster on this machine. Only the CPU's\n"
     "                         repeats a painting to the bit\n"
@@ -28,7 +31,21 @@ static const char HELP[] =
     "edges, light and the grain of the paper are shaded at the size of the print, so it is sharp at any scale.\n"
     "On a finer grid the same hand would paint another picture: what grows, grows by cells.\n";
 
-enum { FRAMES = 256, VIDEO, EVERY, STATS, SCALE, SIZE, THREADS, ENGINE, SHADERS, HELP_ASKED, THREADS_MAX = 64 };
+enum {
+    FRAMES = 256,
+    VIDEO,
+    EVERY,
+    STATS,
+    SVG,
+    PAPER,
+    SCALE,
+    SIZE,
+    THREADS,
+    ENGINE,
+    SHADERS,
+    HELP_ASKED,
+    THREADS_MAX = 64
+};
 
 static int wrong(const char *option, const char *found, const char *allowed)
 {
@@ -39,7 +56,14 @@ static int wrong(const char *option, const char *found, const char *allowed)
 /* One that is a number or one of some words; -1 when it is right. */
 static int take_value(struct replay_def *def, int option)
 {
+    int paper;
     switch (option) {
+    case PAPER:
+        if (!option_whole(optarg, PLAN_PAPER_LEAST, PLAN_PAPER_MOST, &paper)) {
+            return wrong("paper", optarg, "10 to 5000 mm");
+        }
+        def->paper_mm = paper;
+        return -1;
     case ENGINE:
         def->easel.engine = engine_kind_find(optarg);
         return def->easel.engine == ENGINE_KINDS ? wrong("engine", optarg, "one of auto, cpu, gpu") : -1;
@@ -74,6 +98,9 @@ static int take_option(struct replay_def *def, int option)
     case STATS:
         def->stats = optarg;
         return -1;
+    case SVG:
+        def->svg = optarg;
+        return -1;
     case SHADERS:
         def->easel.shaders = optarg;
         return -1;
@@ -91,6 +118,7 @@ static bool read_order(int argc, char *argv[], struct replay_def *def, int *stat
         {"stats", required_argument, NULL, STATS},   {"scale", required_argument, NULL, SCALE},
         {"size", required_argument, NULL, SIZE},     {"threads", required_argument, NULL, THREADS},
         {"engine", required_argument, NULL, ENGINE}, {"shaders", required_argument, NULL, SHADERS},
+        {"svg", required_argument, NULL, SVG},       {"paper", required_argument, NULL, PAPER},
         {"help", no_argument, NULL, HELP_ASKED},     {NULL, 0, NULL, 0}};
     int option;
     optind = 0;
@@ -111,7 +139,7 @@ static bool read_order(int argc, char *argv[], struct replay_def *def, int *stat
                 optind < argc ? "one journal at a time" : "no journal is given");
         return false;
     }
-    if (!def->picture && !def->frames && !def->video && !def->stats) {
+    if (!def->picture && !def->frames && !def->video && !def->stats && !def->svg) {
         fprintf(stderr, "frond replay: nothing is asked for: -o FILE.png, or another; see frond replay --help\n");
         return false;
     }

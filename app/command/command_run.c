@@ -27,6 +27,10 @@ static const char HELP[] =
     "      --inputs FILE     sessions: what visitors do, and with which devices (frond explain inputs); else fingers\n"
     "                        paint, gamepads have a point on the sheet, dials turn coefficients\n"
     "      --hold            on a screen: no key reaches the system, neither Ctrl-C nor a change of console\n"
+    "      --console PATH    with --hold: a console, /dev/tty1, that takes no keys either; the unit of the service\n"
+    "                        must own it\n"
+    "      --standby         an EXHIBIT that is wrong, or not there, is waited for; until then a plain one stands\n"
+    "                        in for it, and the staff is told\n"
     "      --engine KIND     auto (the faster, by timing both once on this machine), cpu, gpu\n"
     "      --rate N          ticks a second, 1 to 1000; 60 if left out\n"
     "      --ticks N         instead of the script's\n"
@@ -46,6 +50,8 @@ enum {
     ROTATE,
     INPUTS,
     HOLD,
+    CONSOLE,
+    STANDBY,
     ENGINE,
     RATE,
     TICKS,
@@ -156,6 +162,12 @@ static int take_live_option(struct run_order *order, int option)
     case HOLD:
         order->live.hold = true;
         return -1;
+    case CONSOLE:
+        order->live.console = optarg;
+        return -1;
+    case STANDBY:
+        order->standby = true;
+        return -1;
     case ONCE:
         order->live.once = true;
         return -1;
@@ -192,6 +204,8 @@ static int read_order(int argc, char *argv[], struct run_order *order)
                                             {"rotate", required_argument, NULL, ROTATE},
                                             {"inputs", required_argument, NULL, INPUTS},
                                             {"hold", no_argument, NULL, HOLD},
+                                            {"console", required_argument, NULL, CONSOLE},
+                                            {"standby", no_argument, NULL, STANDBY},
                                             {"engine", required_argument, NULL, ENGINE},
                                             {"rate", required_argument, NULL, RATE},
                                             {"ticks", required_argument, NULL, TICKS},

@@ -161,14 +161,15 @@ static struct display_def exhibit_display(const struct exhibit *exhibit, const s
     return def;
 }
 
-static int show_exhibit(struct exhibit *exhibit, struct display *display, const struct display_def *def,
-                        const struct run_order *order)
+static int show_exhibit(struct exhibit *exhibit, const char *trouble, struct display *display,
+                        const struct display_def *def, const struct run_order *order)
 {
     char state[1200];
     struct display_size size = display_sheet(display);
     struct live_def live_def = order->live;
     live_kiosk_fit(exhibit, size.width, size.height);
     live_def.exhibit = exhibit;
+    live_def.trouble = trouble;
     live_def.rotation = def->rotation;
     live_def.ticks_per_second = order->rate > 0 ? order->rate : exhibit->sheet.rate;
     live_def.engine = live_def.engine == ENGINE_AUTO ? (enum engine_kind)exhibit->engine : live_def.engine;
@@ -178,13 +179,14 @@ static int show_exhibit(struct exhibit *exhibit, struct display *display, const 
     return live(exhibit->scenes[0].script, display, &live_def) ? EXIT_STATUS_GOOD : EXIT_STATUS_FAILED;
 }
 
-static int run_exhibit(struct exhibit *exhibit, const struct run_order *order, bool asked)
+/* `trouble`: as in struct live_def. */
+static int run_exhibit(struct exhibit *exhibit, const char *trouble, const struct run_order *order, bool asked)
 {
     int status = EXIT_STATUS_GOOD;
     struct display_def def = exhibit_display(exhibit, order);
     struct display *display = order->none ? NULL : open_display(&def, &status);
     if (display) {
-        status = show_exhibit(exhibit, display, &def, order);
+        status = show_exhibit(exhibit, trouble, display, &def, order);
         display_destroy(display);
         return status;
     }
@@ -213,21 +215,50 @@ static bool names_exhibit(const char *path)
     return is;
 }
 
+/* An exhibit with nothing but defaults in the place of one that cannot be read. */
+static struct exhibit *stand_in(const char *path, const struct script_def *def)
+{
+    static const char PLAIN[] = "exhibit: 1\n";
+    struct report report;
+    char *folder = script_folder(path);
+    report_init(&report, path);
+    struct exhibit *exhibit = folder ? exhibit_parse(PLAIN, sizeof PLAIN - 1, folder, def, &report) : NULL;
+    report_finish(&report);
+    free(folder);
+    return exhibit;
+}
+
+static int read_and_run(const char *path, const struct run_order *order, bool asked)
+{
+    struct script_def def = script_default_def();
+    struct report report;
+    char *trouble = NULL;
+    int status = EXIT_STATUS_FAILED;
+    def.load = pictures_load;
+    report_init(&report, path);
+    struct exhibit *exhibit = exhibit_read(path, &def, &report);
+    if (!exhibit && order->standby) {
+        trouble = report_text(&report);
+        exhibit = stand_in(path, &def);
+    } else {
+        report_print(&report, stderr);
+    }
+    report_finish(&report);
+    if (exhibit) {
+        status = run_exhibit(exhibit, trouble, order, asked);
+    }
+    free(trouble);
+    return status;
+}
+
 int run_show(const char *path, const struct run_order *order)
 {
     char shipped[1300];
-    struct script_def def = script_default_def();
-    struct report report;
-    if (path && !names_exhibit(path)) {
+    if (path && !order->standby && !names_exhibit(path)) {
         return run_session(path, order);
     }
     if (!path && (order->none || !exhibit_find("touch-table", shipped, sizeof shipped))) {
         return run_demonstration(order);
     }
-    def.load = pictures_load;
-    report_init(&report, path ? path : shipped);
-    struct exhibit *exhibit = exhibit_read(path ? path : shipped, &def, &report);
-    report_print(&report, stderr);
-    report_finish(&report);
-    return exhibit ? run_exhibit(exhibit, order, path) : EXIT_STATUS_FAILED;
+    return read_and_run(path ? path : shipped, order, path);
 }

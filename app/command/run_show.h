@@ -13,6 +13,7 @@ struct run_order {
     int rate;           /* ticks a second that were asked for; 0: none were */
     int ticks;          /* -1: the script's */
     const char *inputs; /* path; NULL: the default ones */
+    bool standby;       /* an exhibit that is wrong, or not there, is waited for */
 };
 
 /* Shows an exhibit or a session; NULL: the exhibit that comes with Frond, or where there is no display its

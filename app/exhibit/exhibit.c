@@ -91,6 +91,45 @@ static void read_gallery(struct reader *reader, const struct yaml_node *root, st
     }
 }
 
+static void check_mqtt_path(struct reader *reader, const struct yaml_node *node, const char *name, const char *path)
+{
+    char found[128];
+    if (path && (path[0] == '/' || strstr(path, ".."))) {
+        const struct yaml_node *at = yaml_get(node, name);
+        exhibit_problem(reader, name, at, "%s is not beside this file; a path without .. and without / before it",
+                        yaml_found(at, found, sizeof found));
+    }
+}
+
+/* Names become parts of topics, in which / + and # mean something. */
+static void check_mqtt_word(struct reader *reader, const struct yaml_node *node, const char *name, const char *word,
+                            const char *forbidden)
+{
+    char found[128];
+    if (word && strpbrk(word, forbidden)) {
+        const struct yaml_node *at = yaml_get(node, name);
+        exhibit_problem(reader, name, at, "%s is no part of a topic; a text without %s",
+                        yaml_found(at, found, sizeof found), forbidden[0] == '/' ? "/, + and #" : "+ and #");
+    }
+}
+
+static void read_mqtt(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit)
+{
+    struct exhibit_mqtt *mqtt = &exhibit->mqtt;
+    const struct yaml_node *node = exhibit_mapping(reader, root, "mqtt", mqtt_keys, mqtt);
+    size_t length = reader_enter(reader, "mqtt");
+    if (node) {
+        check_mqtt_word(reader, node, "topic", mqtt->topic, "+#");
+        check_mqtt_word(reader, node, "name", mqtt->name, "/+#");
+        check_mqtt_word(reader, node, "group", mqtt->group, "/+#");
+        check_mqtt_path(reader, node, "ca", mqtt->ca);
+        check_mqtt_path(reader, node, "certificate", mqtt->certificate);
+        check_mqtt_path(reader, node, "key", mqtt->key);
+        check_mqtt_path(reader, node, "credentials", mqtt->credentials);
+    }
+    reader_leave(reader, length);
+}
+
 static bool has_switch(const struct inputs *inputs)
 {
     for (int i = 0; inputs && i < inputs->binding_count; i++) {
@@ -134,6 +173,7 @@ static void read_root(struct reader *reader, const struct yaml_node *root, struc
     exhibit_read_hours(reader, root, exhibit);
     read_gallery(reader, root, exhibit);
     exhibit_read_staff(reader, root, exhibit);
+    read_mqtt(reader, root, exhibit);
 }
 
 static const char *keep(struct reader *reader, const char *text)

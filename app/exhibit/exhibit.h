@@ -121,6 +121,19 @@ struct exhibit_gallery {
     const char *folder; /* in the state folder; NULL: nothing is kept */
     int pictures;       /* kept at most, oldest out first */
     int megabytes;      /* all together */
+    float slides;       /* s that one is shown between two paintings of attract; 0: none is */
+    const char *stick;  /* folder on a stick that they are copied to; NULL: EXPORT_FOLDER */
+};
+
+/* A broker, for those who look after many kiosks (group.h). Files are beside the exhibit. */
+struct exhibit_mqtt {
+    const char *host;              /* NULL: there is none */
+    int port, every;               /* every: s from one status to the next */
+    const char *topic;             /* in front of all topics */
+    const char *name, *group;      /* of this kiosk; of those that are told together, NULL: none */
+    const char *ca;                /* NULL: without TLS */
+    const char *certificate, *key; /* of this kiosk; NULL: none */
+    const char *credentials;       /* two lines: user, password; NULL: none */
 };
 
 struct exhibit_staff {
@@ -156,6 +169,7 @@ struct exhibit {
     int wake;        /* minutes that a touch opens it while it is closed; 0: it does not */
     struct exhibit_gallery gallery;
     struct exhibit_staff staff;
+    struct exhibit_mqtt mqtt;
     struct script *memory; /* texts */
 };
 

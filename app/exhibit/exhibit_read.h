@@ -32,6 +32,7 @@ extern const struct key access_keys[];   /* over struct exhibit_access */
 extern const struct key schedule_keys[]; /* over struct exhibit_hours */
 extern const struct key gallery_keys[];  /* over struct exhibit_gallery */
 extern const struct key staff_keys[];    /* over struct exhibit_staff */
+extern const struct key mqtt_keys[];     /* over struct exhibit_mqtt */
 extern const struct key text_keys[];     /* by enum exhibit_text; over struct words, a language at a time */
 extern const char *const corner_names[]; /* these two end with NULL */
 extern const char *const day_names[];

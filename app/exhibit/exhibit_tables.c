@@ -3,7 +3,7 @@
 #include "exhibit_read.h"
 #include "script_read.h"
 
-enum { ID_BYTES = 40 };
+enum { ID_BYTES = 40, TOPIC_BYTES = 100 };
 
 static const char *const ENGINES[] = {"auto", "cpu", "gpu", NULL};
 static const char *const TURNS[] = {"0", "90", "180", "270", NULL};
@@ -71,7 +71,7 @@ const struct key exhibit_keys[] = {
     SECTION("scenes", "A list of what is painted, one scene after the other; a single one with every default if left "
                       "out."),
     TEXT("pictures", EXHIBIT, pictures, "the path of a folder", EXHIBIT_PATH_BYTES, false,
-         "A folder of pictures that grow by themselves while nobody paints, beside this file."),
+         "A folder of pictures along whose edges every second painting grows that the sheet paints by itself."),
     SECTION("sessions", "A list of recorded sessions, by their paths, that are painted while nobody else paints."),
     SECTION("palette", "The buttons at the edge of the sheet."),
     SECTION("seats", "A list of places for visitors side by side; one place for all if left out."),
@@ -84,6 +84,8 @@ const struct key exhibit_keys[] = {
     SECTION("gallery", "Where finished pictures are kept."),
     SECTION("staff",
             "The staff's way to the status view and out: corners tapped one after another, the last one held."),
+    SECTION("mqtt", "A broker that is told how the exhibit is, and tells a group of them what to show; none if left "
+                    "out."),
     END,
 };
 
@@ -204,6 +206,10 @@ const struct key gallery_keys[] = {
     WHOLE("pictures", GALLERY, pictures, "pictures", 1, 100000, 500, false,
           "How many are kept; the oldest one goes first."),
     WHOLE("megabytes", GALLERY, megabytes, "MB", 1, 100000, 500, false, "How much all of them may take together."),
+    NUMBER("slides", GALLERY, slides, "s", 0, 120, 8,
+           "How long one of them is shown between two paintings that the sheet paints by itself; 0: none is."),
+    TEXT("stick", GALLERY, stick, "a word", ID_BYTES, false,
+         "The folder on a USB stick of the staff that the gallery is copied to; frond-gallery if left out."),
     END,
 };
 
@@ -214,6 +220,25 @@ const struct key staff_keys[] = {
             "if left out."),
     NUMBER("within", STAFF, within, "s", 0.3, 10, 2, "How long it may take from one tap to the next."),
     NUMBER("hold", STAFF, hold, "s", 0.5, 10, 3, "How long the last corner is held."),
+    END,
+};
+
+#define MQTT struct exhibit_mqtt
+const struct key mqtt_keys[] = {
+    TEXT("host", MQTT, host, "a name or an address", 255, true, "The broker."),
+    WHOLE("port", MQTT, port, "", 1, 65535, 8883, false, "Where it listens; 1883 is usual without TLS."),
+    TEXT("topic", MQTT, topic, "a topic", TOPIC_BYTES, true, "What stands before all topics: frond, museum/frond."),
+    TEXT("name", MQTT, name, "a word", ID_BYTES, true, "What this one is called: TOPIC/NAME/status."),
+    TEXT("group", MQTT, group, "a word", ID_BYTES, false,
+         "Those that are told together: TOPIC/GROUP/scene, TOPIC/GROUP/hours."),
+    WHOLE("every", MQTT, every, "s", 5, 3600, 60, false, "How often the status is said."),
+    TEXT("ca", MQTT, ca, "the path of a file", EXHIBIT_PATH_BYTES, false,
+         "Who has signed the broker's certificate (PEM), beside this file; without it nothing is encrypted."),
+    TEXT("certificate", MQTT, certificate, "the path of a file", EXHIBIT_PATH_BYTES, false,
+         "The certificate of this one (PEM), beside this file."),
+    TEXT("key", MQTT, key, "the path of a file", EXHIBIT_PATH_BYTES, false, "Its key (PEM), beside this file."),
+    TEXT("credentials", MQTT, credentials, "the path of a file", EXHIBIT_PATH_BYTES, false,
+         "A file of two lines, user and password, beside this file."),
     END,
 };
 
@@ -254,5 +279,6 @@ const struct inputs_table exhibit_tables[] = {
     {"schedule", "Opening hours on some days.", schedule_keys},
     {"gallery", "Finished pictures.", gallery_keys},
     {"staff", "The staff's gesture.", staff_keys},
+    {"mqtt", "A broker, for those who look after many exhibits.", mqtt_keys},
     {.name = NULL},
 };

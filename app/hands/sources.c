@@ -157,7 +157,8 @@ static void make_touch(struct sources *sources, const struct sources_def *def)
                                            .pointers = inputs->pointers,
                                            .keys = keys,
                                            .key_count = key_count,
-                                           .hold = def->hold};
+                                           .hold = def->hold,
+                                           .console = def->console};
     if (def->touch && !sources_add(sources, source_touch_create(&touch, &error))) {
         fail(sources, "touch", &error);
     }

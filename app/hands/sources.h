@@ -15,6 +15,7 @@ struct sources_def {
     const struct inputs *inputs; /* read while they are made */
     bool touch;                  /* libinput; not where a desktop gives a window its input */
     bool hold;                   /* the seat: no key reaches the system */
+    const char *console;         /* with `hold`: as in source_touch.h; NULL: none */
     bool look;                   /* for a look at what is plugged in: vendor-defined controls as well */
     int rotation;                /* of the display, degrees clockwise */
     int width, height;           /* pixels of the display as it is looked at; 0: unknown */

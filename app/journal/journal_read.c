@@ -218,7 +218,9 @@ static bool read_path(struct journal_reader *reader, struct cursor *body, struct
         reader->points_room = count;
     }
     for (int i = 0; i < count; i++) {
-        struct point point = {cursor_float(body), cursor_float(body)};
+        struct point point;
+        point.x = cursor_float(body);
+        point.y = cursor_float(body);
         if (!(fabsf(point.x) <= PLACE_MOST && fabsf(point.y) <= PLACE_MOST)) { /* NaN too */
             return false;
         }
@@ -238,11 +240,16 @@ static bool read_raster(const struct journal_reader *reader, struct cursor *body
     return !body->failed;
 }
 
+static void store(struct action *action, const struct key *key, const void *value, size_t size)
+{
+    memcpy((char *)action + key->offset, value, size);
+}
+
 /* One parameter into the action. False: it makes no sense. `known` becomes false where the action cannot be done. */
 static bool read_parameter(struct journal_reader *reader, struct cursor *body, const struct key *key,
                            struct action *action, bool *known)
 {
-    char *at = (char *)action + key->offset, name[BYTES_TEXT];
+    char name[BYTES_TEXT];
     struct action_path path;
     struct action_raster raster = {.values = NULL};
     struct point point;
@@ -251,8 +258,9 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
     switch (journal_type_of(key->type)) {
     case JOURNAL_POINT:
         given = cursor_u8(body) != 0;
-        point = (struct point){cursor_float(body), cursor_float(body)};
-        memcpy(at, &point, sizeof point);
+        point.x = cursor_float(body); /* one after the other: C leaves the order within braces open */
+        point.y = cursor_float(body);
+        store(action, key, &point, sizeof point);
         action->has_at = key->offset == offsetof(struct action, at) ? given : action->has_at;
         return isfinite(point.x) && isfinite(point.y);
     case JOURNAL_NAME:
@@ -261,23 +269,23 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
             reader->skipped++;
             *known = *known && key->type != KEY_COEFFICIENT;
         }
-        memcpy(at, &value, sizeof value);
+        store(action, key, &value, sizeof value);
         return true;
     case JOURNAL_INK:
         value = (int)cursor_u8(body);
-        memcpy(at, &value, sizeof value);
+        store(action, key, &value, sizeof value);
         return value < PAINTING_INKS;
     case JOURNAL_PATH:
         if (!read_path(reader, body, &path)) {
             return false;
         }
-        memcpy(at, &path, sizeof path);
+        store(action, key, &path, sizeof path);
         return true;
     case JOURNAL_RASTER_NUMBER:
         if (!read_raster(reader, body, &raster)) {
             return false;
         }
-        memcpy(at, &raster, sizeof raster);
+        store(action, key, &raster, sizeof raster);
         return true;
     default:
         journal_read_scalar(body, key, action);
@@ -313,6 +321,7 @@ static bool read_action(struct journal_reader *reader, struct cursor *body, stru
 /* False: nothing of it is for the caller. */
 static bool read_body(struct journal_reader *reader, struct cursor *body, struct journal_record *record)
 {
+    struct action action = {.verb = ACTION_VERBS};
     bool good = true;
     switch (record->kind) {
     case JOURNAL_SHEET:
@@ -329,9 +338,9 @@ static bool read_body(struct journal_reader *reader, struct cursor *body, struct
         declare(reader, body);
         return false;
     case JOURNAL_ACTION:
-        record->action.tick = record->ticked;
-        good = read_action(reader, body, &record->action);
-        record->action.tick = record->ticked;
+        good = read_action(reader, body, &action);
+        action.tick = record->ticked;
+        record->action = action;
         return good;
     case JOURNAL_RESTORED:
         record->lost = cursor_count(body, JOURNAL_TICKS_MAX);
@@ -351,8 +360,8 @@ bool journal_next(struct journal_reader *reader, struct journal_record *record)
     bool given = false;
     while (!given && reader->ending == JOURNAL_GOES_ON) {
         struct cursor body;
-        uint64_t size;
-        uint32_t crc;
+        uint64_t size = 0;
+        uint32_t crc = 0;
         if (!next_body(reader, &body, &size, &crc)) {
             break;
         }
@@ -393,7 +402,7 @@ static bool refuse(struct journal_reader *reader, struct journal_error *error, c
 bool journal_open(struct journal_reader *reader, const void *data, size_t size, struct journal_error *error)
 {
     struct cursor body, start = cursor_over(data, size);
-    uint64_t length;
+    uint64_t length = 0;
     *reader = (struct journal_reader){.data = data, .size = size};
     const uint8_t *magic = cursor_take(&start, JOURNAL_MAGIC);
     if (!magic || memcmp(magic, journal_magic, JOURNAL_MAGIC) != 0) {
@@ -413,7 +422,7 @@ bool journal_open(struct journal_reader *reader, const void *data, size_t size, 
     if (!reader->verbs) {
         return refuse(reader, error, "memory is short for a journal");
     }
-    uint32_t crc;
+    uint32_t crc = 0;
     if (!next_body(reader, &body, &length, &crc) || cursor_u8(&body) != JOURNAL_HEAD) {
         return refuse(reader, error, "the head of the journal is broken");
     }

@@ -293,7 +293,7 @@ static void put_parameter(struct bytes *out, const struct key *key, const struct
         put_path(out, &path);
         break;
     case JOURNAL_RASTER_NUMBER:
-        bytes_put_varint(out, (uint64_t)(raster + 1));
+        bytes_put_varint(out, (uint64_t)raster + 1); /* none is -1 */
         break;
     default:
         break;
@@ -315,7 +315,8 @@ void journal_action(struct journal_writer *writer, int64_t ticked, const struct 
     }
     open_record(writer, JOURNAL_ACTION, ticked);
     bytes_put_u8(&writer->out, legal.verb);
-    bytes_put_varint(&writer->out, legal.visitor >= HISTORY_SCRIPT ? (uint64_t)(legal.visitor - HISTORY_SCRIPT) : 0);
+    int64_t who = (int64_t)legal.visitor - HISTORY_SCRIPT;
+    bytes_put_varint(&writer->out, who > 0 ? (uint64_t)who : 0);
     i = 0;
     for (const struct key *key = action_keys(legal.verb); key->name; key++, i++) {
         put_parameter(&writer->out, key, &legal, rasters[i]);

@@ -61,8 +61,8 @@ struct keep *keep_create(const struct keep_def *def, struct keep_found *found);
 /* Writes what is not written yet; takes NULL. The files stay: a painting goes on after a restart that was meant. */
 void keep_destroy(struct keep *keep);
 
-/* For struct studio_teller, in the studio's thread. Waits for no disk. */
-void keep_tell(void *keep, const struct studio_event *event);
+/* For struct studio_teller, in the studio's thread; `data` is the keep. Waits for no disk. */
+void keep_tell(void *data, const struct studio_event *event);
 /* Whether the painting is a visitor's, and kept. */
 void keep_visit(struct keep *keep, bool on);
 /* The id of the scene that sheets and scenes told from now on are of. */

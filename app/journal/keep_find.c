@@ -10,7 +10,8 @@
 #include "pack.h"
 #include "player.h"
 
-static const double PATIENCE_S = 2.0; /* for repeating */
+static const int ALL_THREADS = 0;
+static const double PATIENCE_S = 1.5; /* for repeating */
 
 void keep_found_finish(struct keep_found *found)
 {
@@ -85,7 +86,7 @@ static bool from_checkpoint(const char *path, struct bytes *journal, struct keep
     struct journal_error reason;
     struct file_error error;
     struct player player = {.engine = NULL};
-    struct easel easel = {.def = {.engine = ENGINE_CPU}};
+    struct player_maker maker = player_cpu(&ALL_THREADS);
     if (!journal_file_read(path, JOURNAL_FILE_MOST, &bytes, &error)) {
         return false;
     }
@@ -101,7 +102,7 @@ static bool from_checkpoint(const char *path, struct bytes *journal, struct keep
     found->ticked = note.ticked;
     found->lost = 0;
     struct player_place place = {&found->checkpoint, note.ticked, note.records};
-    if (is_beside(journal, &note) && player_resume(&player, journal->data, journal->size, &place, &easel, &error) &&
+    if (is_beside(journal, &note) && player_resume(&player, journal->data, journal->size, &place, &maker, &error) &&
         repeat(&player, found)) {
         snprintf(found->line, sizeof found->line,
                  "the painting is taken up again, checkpoint %llu and %lld ticks of its journal; %lld ticks are lost",
@@ -119,9 +120,9 @@ static bool from_journal(struct bytes *journal, uint64_t generation, struct keep
 {
     struct file_error error;
     struct player player = {.engine = NULL};
-    struct easel easel = {.def = {.engine = ENGINE_CPU}};
+    struct player_maker maker = player_cpu(&ALL_THREADS);
     bool good =
-        journal->data && player_open(&player, journal->data, journal->size, &easel, &error) && repeat(&player, found);
+        journal->data && player_open(&player, journal->data, journal->size, &maker, &error) && repeat(&player, found);
     if (good) {
         found->exhibit_hash = player.reader.head.exhibit_hash;
         found->generation = generation;

@@ -17,6 +17,15 @@ void packer_finish(struct packer *packer)
     *packer = (struct packer){.fresh = NULL};
 }
 
+static bool same_coefficients(const struct coefficients *a, const struct coefficients *b)
+{
+    bool same = true;
+    for (const struct key *key = coefficient_keys; key->name && same; key++) { /* each is a float or an int */
+        same = memcmp((const char *)a + key->offset, (const char *)b + key->offset, sizeof(uint32_t)) == 0;
+    }
+    return same;
+}
+
 /* The ground as the definition makes it; its noise takes time, so it is kept. */
 static bool fit(struct packer *packer, const struct checkpoint *checkpoint)
 {
@@ -24,7 +33,7 @@ static bool fit(struct packer *packer, const struct checkpoint *checkpoint)
     size_t room = (size_t)checkpoint->width * (size_t)checkpoint->height * sizeof(float);
     const struct painting_def *old = packer->fresh ? &packer->fresh->def : NULL;
     if (!old || old->width != def->width || old->height != def->height || old->margin != def->margin ||
-        old->seed != def->seed || memcmp(&old->coefficients, &def->coefficients, sizeof def->coefficients) != 0) {
+        old->seed != def->seed || !same_coefficients(&old->coefficients, &def->coefficients)) {
         ground_destroy(packer->fresh);
         packer->fresh = ground_create(def);
     }

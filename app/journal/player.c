@@ -4,6 +4,28 @@
 
 static const char NAME[] = "the journal";
 
+static struct engine *make_cpu(void *data, const struct painting_def *def, struct file_error *error)
+{
+    const int *threads = data;
+    struct painting_def own = *def;
+    own.threads = *threads;
+    struct engine *engine = engine_cpu_create(&own);
+    if (!engine) {
+        file_fail(error, NAME, "memory is short for %dx%d cells", def->width, def->height);
+    }
+    return engine;
+}
+
+struct player_maker player_cpu(const int *threads)
+{
+    return (struct player_maker){make_cpu, (void *)(uintptr_t)threads};
+}
+
+static struct engine *make(struct player *player, const struct painting_def *def, struct file_error *error)
+{
+    return player->maker.make(player->maker.data, def, error);
+}
+
 static void read_next(struct player *player)
 {
     player->done = journal_place_of(&player->reader);
@@ -51,7 +73,7 @@ static bool fit_history(struct player *player, struct file_error *error)
 
 static bool take_sheet(struct player *player, const struct journal_sheet *sheet, struct file_error *error)
 {
-    struct engine *next = easel_engine(player->easel, &sheet->def, error);
+    struct engine *next = make(player, &sheet->def, error);
     if (!next) {
         return false;
     }
@@ -74,7 +96,7 @@ static struct engine *carry(struct player *player, const struct painting_def *de
                 (same || (checkpoint_init(&to, def) && checkpoint_resample(&from, &to)));
     if (good) {
         taken->def.seed = taken->ground->def.seed = def->seed;
-        next = same ? engine : easel_engine(player->easel, &to.def, error);
+        next = same ? engine : make(player, &to.def, error);
         good = next && next->ops->load(next, taken);
     } else {
         file_fail(error, NAME, "memory is short for another grid");
@@ -148,10 +170,11 @@ static bool take(struct player *player, const struct journal_record *record, str
     }
 }
 
-bool player_open(struct player *player, const void *data, size_t size, struct easel *easel, struct file_error *error)
+bool player_open(struct player *player, const void *data, size_t size, const struct player_maker *maker,
+                 struct file_error *error)
 {
     struct journal_error reason;
-    *player = (struct player){.easel = easel};
+    *player = (struct player){.maker = *maker};
     if (!measure(player, data, size, error)) {
         return false;
     }
@@ -163,9 +186,9 @@ bool player_open(struct player *player, const void *data, size_t size, struct ea
 }
 
 bool player_resume(struct player *player, const void *data, size_t size, const struct player_place *place,
-                   struct easel *easel, struct file_error *error)
+                   const struct player_maker *maker, struct file_error *error)
 {
-    if (!player_open(player, data, size, easel, error)) {
+    if (!player_open(player, data, size, maker, error)) {
         return false;
     }
     while (player->has_next && player->reader.records <= place->records) {
@@ -176,7 +199,7 @@ bool player_resume(struct player *player, const void *data, size_t size, const s
     }
     player->ticked = place->ticked;
     player->resumed = true;
-    player->engine = easel_engine(easel, &place->checkpoint->def, error);
+    player->engine = make(player, &place->checkpoint->def, error);
     if (!player->engine) {
         return false;
     }

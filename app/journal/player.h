@@ -1,6 +1,6 @@
-/* Plays a journal: does again, tick by tick, what was done. On an easel of the CPU engine, to the bit.
+/* Plays a journal: does again, tick by tick, what was done. With CPU engines, to the bit.
  *
- *     if (player_open(&player, data, size, &easel, &error)) {
+ *     if (player_open(&player, data, size, &maker, &error)) {
  *         while (player_tick(&player, &error)) { ... player.engine has painted a tick more ... }
  *     }
  *     player_close(&player);
@@ -9,13 +9,23 @@
 #define FROND_PLAYER_H
 
 #include "checkpoint.h"
-#include "easel.h"
+#include "engine.h"
+#include "file.h"
 #include "history.h"
 #include "journal.h"
 
+/* Makes the engines. */
+struct player_maker {
+    /* An engine for this painting, the player's from then on; NULL with the reason in `error`. */
+    struct engine *(*make)(void *data, const struct painting_def *def, struct file_error *error);
+    void *data;
+};
+/* CPU engines with this many threads, 0: one for each processor. */
+struct player_maker player_cpu(const int *threads);
+
 struct player {
     struct journal_reader reader; /* what it says of the journal, its ending above all */
-    struct easel *easel;
+    struct player_maker maker;
     struct engine *engine;      /* NULL: before the first sheet */
     struct journal_sheet sheet; /* now: inks, mode, scene; its def is that of the engine's sheet */
     int64_t ticked;             /* painted, over all sheets */
@@ -30,8 +40,9 @@ struct player {
 };
 
 /* Reads the journal once, to see how long it is, and takes up its first sheet. False, with the reason in `error`, where
- * it is no journal or has no sheet. Bytes and easel stay the caller's and must outlive the player. */
-bool player_open(struct player *player, const void *data, size_t size, struct easel *easel, struct file_error *error);
+ * it is no journal or has no sheet. The bytes stay the caller's and must outlive the player. */
+bool player_open(struct player *player, const void *data, size_t size, const struct player_maker *maker,
+                 struct file_error *error);
 /* Does what is due, then one tick. False when that was all: what is due last has been done, without a tick after it; or
  * when it failed, with the reason in `error` (else ""). */
 bool player_tick(struct player *player, struct file_error *error);
@@ -43,7 +54,7 @@ struct player_place {
     uint64_t records; /* that the journal held then */
 };
 bool player_resume(struct player *player, const void *data, size_t size, const struct player_place *place,
-                   struct easel *easel, struct file_error *error);
+                   const struct player_maker *maker, struct file_error *error);
 void player_close(struct player *player); /* a zeroed one may be closed */
 
 #endif

@@ -15,7 +15,7 @@ struct replaying {
     const struct replay_def *def;
     struct easel easel;
     struct player player;
-    int width, height;           /* pixels; 0: no sheet was there yet */
+    struct painting_def first;   /* sheet; width 0: there was none yet */
     struct easel_picture moving; /* of frames and film */
     struct video *video;
     int64_t shown; /* ticks of the last picture on the way; -1: none */
@@ -23,16 +23,19 @@ struct replaying {
 
 struct replay_def replay_default_def(void)
 {
-    return (struct replay_def){.every = REPLAY_EVERY, .scale = 1, .easel = {.engine = ENGINE_CPU}};
+    return (struct replay_def){.every = REPLAY_EVERY, .easel = {.engine = ENGINE_CPU}};
 }
 
-/* What the sheet of now looks like at the size of the pictures. */
-static struct picture_def picture_of(const struct replaying *replaying)
+/* What the sheet of now looks like. `scale`: pixels a cell of the first sheet: the size stays when the grid changes; 0:
+ * as is asked for, a pixel a cell if nothing is. */
+static struct picture_def picture_of(const struct replaying *replaying, int scale)
 {
+    const struct replay_def *asked = replaying->def;
+    bool sized = scale == 0 && asked->width > 0;
     const struct journal_sheet *sheet = &replaying->player.sheet;
     struct picture_def def = picture_default_def();
-    def.width = replaying->width;
-    def.height = replaying->height;
+    def.width = sized ? asked->width : replaying->first.width * (scale > 0 ? scale : 1);
+    def.height = sized ? asked->height : replaying->first.height * (scale > 0 ? scale : 1);
     def.cells_x = sheet->def.width;
     def.cells_y = sheet->def.height;
     def.mixing = (enum ink_mixing)sheet->mode;
@@ -43,28 +46,21 @@ static struct picture_def picture_of(const struct replaying *replaying)
     return def;
 }
 
-/* The size in pixels is that of the first sheet, and stays when the grid changes. */
-static bool find_size(struct replaying *replaying, struct file_error *error)
+static bool frame(struct replaying *replaying, struct easel_picture *picture, int scale, float follow,
+                  struct file_error *error)
 {
-    const struct replay_def *def = replaying->def;
-    const struct painting_def *sheet = &replaying->player.sheet.def;
-    if (replaying->width > 0) {
-        return true;
+    if (replaying->first.width == 0) {
+        replaying->first = replaying->player.sheet.def;
     }
-    replaying->width = def->width ? def->width : sheet->width * def->scale;
-    replaying->height = def->height ? def->height : sheet->height * def->scale;
-    return (replaying->width <= PICTURE_SIZE_MAX && replaying->height <= PICTURE_SIZE_MAX) ||
-           file_fail(error, "the picture", "%dx%d pixels are more than %d a side", replaying->width, replaying->height,
-                     PICTURE_SIZE_MAX);
-}
-
-static bool frame(struct replaying *replaying, struct easel_picture *picture, float follow, struct file_error *error)
-{
-    struct picture_def def = picture_of(replaying);
+    struct picture_def def = picture_of(replaying, scale);
     const struct picture_def *now = &picture->def;
     def.follow = follow;
     bool same = picture->picture && def.cells_x == now->cells_x && def.cells_y == now->cells_y &&
                 def.mixing == now->mixing && def.seed == now->seed && memcmp(def.ink, now->ink, sizeof def.ink) == 0;
+    if (def.width > PICTURE_SIZE_MAX || def.height > PICTURE_SIZE_MAX) {
+        return file_fail(error, "the picture", "%dx%d pixels are more than %d a side", def.width, def.height,
+                         PICTURE_SIZE_MAX);
+    }
     return same || easel_frame(&replaying->easel, picture, &def, replaying->player.sheet.ink_count) ||
            file_fail(error, "the picture", "memory is short for %dx%d pixels", def.width, def.height);
 }
@@ -78,11 +74,11 @@ static bool show(struct replaying *replaying, struct file_error *error)
     if (!def->frames && !def->video) {
         return true;
     }
-    if (!find_size(replaying, error) || !frame(replaying, picture, (float)TONE_TICKS / (float)def->every, error)) {
+    if (!frame(replaying, picture, 0, (float)TONE_TICKS / (float)def->every, error)) {
         return false;
     }
     if (def->video && !replaying->video) {
-        replaying->video = video_open(def->video, replaying->width, replaying->height, error);
+        replaying->video = video_open(def->video, picture->def.width, picture->def.height, error);
     }
     if (def->video && !replaying->video) {
         return false;
@@ -101,6 +97,7 @@ static bool play(struct replaying *replaying, struct progress *progress, struct 
 {
     struct player *player = &replaying->player;
     while (player_tick(player, error)) {
+        replaying->first = replaying->first.width > 0 ? replaying->first : player->sheet.def;
         if (player->ticked % replaying->def->every == 0 && !show(replaying, error)) {
             return false;
         }
@@ -122,12 +119,15 @@ static bool write_end(struct replaying *replaying, struct file_error *error)
     if (def->stats && !stats_write(def->stats, &sheet, player->engine, error)) {
         return false;
     }
+    if (def->svg && !easel_write_plan(player->engine, def->paper_mm, def->svg, error)) {
+        return false;
+    }
     if (!def->picture) {
         return true;
     }
     easel_unframe(&replaying->moving);
-    bool good = find_size(replaying, error) && frame(replaying, &still, 0, error) &&
-                easel_write(&still, player->engine, def->picture, error);
+    bool good =
+        frame(replaying, &still, def->scale, 0, error) && easel_write(&still, player->engine, def->picture, error);
     easel_unframe(&still);
     return good;
 }
@@ -153,6 +153,7 @@ static void remark(const struct replaying *replaying, struct replay_result *resu
 static bool check(const struct replay_def *def, struct file_error *error)
 {
     return easel_check_file(def->picture, error) && easel_check_file(def->stats, error) &&
+           easel_check_file(def->svg, error) &&
            (!def->video || (video_name(def->video, error) && easel_check_file(def->video, error))) &&
            easel_make_folder(def->frames, error);
 }
@@ -166,7 +167,8 @@ bool replay(const struct replay_def *def, struct progress *progress, struct repl
     if (!check(def, error) || !journal_file_read(def->journal, JOURNAL_FILE_MOST, &bytes, error)) {
         return false;
     }
-    bool good = player_open(&replaying.player, bytes.data, bytes.size, &replaying.easel, error) &&
+    struct player_maker maker = {easel_make, &replaying.easel};
+    bool good = player_open(&replaying.player, bytes.data, bytes.size, &maker, error) &&
                 play(&replaying, progress, error) && write_end(&replaying, error);
     struct file_error ignored;
     good = video_close(replaying.video, good, good ? error : &ignored) && good;

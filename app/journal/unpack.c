@@ -94,7 +94,7 @@ static bool read_plane(struct cursor *file, const struct checkpoint *checkpoint,
 bool checkpoint_peek(const void *data, size_t size, struct pack_note *note, struct journal_error *error)
 {
     struct cursor file = cursor_over(data, size);
-    struct head head;
+    struct head head = {.planes = 0};
     return read_head(&file, &head, note, error);
 }
 
@@ -102,7 +102,7 @@ bool checkpoint_unpack(const void *data, size_t size, struct checkpoint *checkpo
                        struct journal_error *error)
 {
     struct cursor file = cursor_over(data, size);
-    struct head head;
+    struct head head = {.planes = 0};
     *checkpoint = (struct checkpoint){.planes = NULL};
     if (!read_head(&file, &head, note, error)) {
         return false;

@@ -25,6 +25,10 @@ static const struct {
     {".webm", {"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "24", "-row-mt", "1", NULL}},
 };
 
+static const char FILTER[] =
+    "crop=trunc(iw/2)*2:trunc(ih/2)*2:0:0,scale=in_range=full:out_range=tv:out_color_matrix=bt709:"
+    "flags=accurate_rnd+full_chroma_int,format=yuv420p";
+
 static int find_format(const char *path)
 {
     size_t length = strlen(path);
@@ -49,19 +53,8 @@ static void order(const struct video *video, int format, const char *size, const
     static const char *const input[] = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y",
                                         "-f",     "rawvideo", "-pix_fmt",     "rgb24",     NULL};
     static const char *const filter[] = {
-        "-an",
-        "-vf",
-        "crop=trunc(iw/2)*2:trunc(ih/2)*2:0:0,scale=in_range=full:out_range=tv:out_color_matrix=bt709:flags="
-        "accurate_rnd+full_chroma_int,format=yuv420p",
-        "-colorspace",
-        "bt709",
-        "-color_primaries",
-        "bt709",
-        "-color_trc",
-        "iec61966-2-1",
-        "-color_range",
-        "tv",
-        NULL};
+        "-an",   "-vf",        FILTER,         "-colorspace",  "bt709", "-color_primaries",
+        "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv",    NULL};
     int count = 0;
     for (int i = 0; input[i]; i++) {
         arguments[count++] = (char *)(uintptr_t)input[i];

@@ -1,6 +1,7 @@
 #include "live.h"
 
 #include <errno.h>
+#include <malloc.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -13,54 +14,39 @@
 #include "bench.h"
 #include "image.h"
 #include "limits.h"
-#include "live_care.h"
-#include "live_input.h"
-#include "live_kiosk.h"
-#include "live_picture.h"
+#include "live_loop.h"
+#include "log.h"
 #include "script_sheet.h"
-#include "studio.h"
 
 enum {
     WAIT_MS = 100,        /* for something to happen, at most */
     NAP_US = 2000,        /* while the next picture is being painted */
     RENEW_EVERY_MS = 250, /* tries to come back from a lost GPU */
+    LARGE_BYTES = 256 << 10,
+    ARENAS = 2,
 };
 
 static const double AGAIN_S = 0.25; /* the last picture is presented again: a window may have been uncovered */
-
-struct live {
-    const struct script *script;
-    const struct live_def *def;
-    struct display *display;
-    struct studio *studio;
-    struct live_picture picture;
-    struct live_care care;
-    struct live_input input;
-    struct live_kiosk kiosk; /* without an exhibit it does nothing */
-    struct shader_folder folder;
-    struct engine_choice choice;
-    int signals; /* a descriptor that becomes readable when it is time to go */
-    enum display_state state;
-    char described[300]; /* what was said of the display last */
-    double presented_s;  /* when a frame was presented last */
-    double second_s;     /* when it was looked after last */
-    bool said_end;
-};
 
 struct live_def live_default_def(void)
 {
     return (struct live_def){.ticks_per_second = STUDIO_TICKS_PER_SECOND, .governed = true};
 }
 
-static void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
-static void say(const char *format, ...)
+static uint64_t now_us(void)
 {
+    return (uint64_t)(1e6 * bench_wall_s());
+}
+
+static void say(struct live *live, enum log_level level, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static void say(struct live *live, enum log_level level, const char *format, ...)
+{
+    char text[LOG_TEXT];
     va_list arguments;
     va_start(arguments, format);
-    fputs("frond: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    log_say(&live->log, level, now_us(), "%s", text);
 }
 
 /* SIGINT and SIGTERM come as something to read; threads made after this do not see them. */
@@ -85,7 +71,7 @@ static void release_signals(int descriptor)
     sigprocmask(SIG_UNBLOCK, &set, NULL);
 }
 
-static bool told_to_go(const struct live *live)
+bool live_over(const struct live *live)
 {
     struct signalfd_siginfo info;
     return display_closed(live->display) || live_kiosk_leaves(&live->kiosk) ||
@@ -97,9 +83,14 @@ static void feel(struct live *live)
 {
     char line[1300];
     live_input_feel(&live->input, live->display, live->studio);
+    enum log_level level;
     live_kiosk_run(&live->kiosk);
-    while (live_input_log(&live->input, line, sizeof line) || live_kiosk_log(&live->kiosk, line, sizeof line)) {
-        say("%s", line);
+    while (live_input_log(&live->input, line, sizeof line) || live_service_log(&live->service, line, sizeof line) ||
+           live_group_log(&live->group, line, sizeof line)) {
+        say(live, LOG_LEVEL_NOTICE, "%s", line);
+    }
+    while (live_kiosk_log(&live->kiosk, line, sizeof line, &level)) {
+        say(live, level, "%s", line);
     }
 }
 
@@ -118,7 +109,8 @@ static void note_state(struct live *live)
     }
     live->state = state;
     snprintf(live->described, sizeof live->described, "%s", text);
-    say("display: %s%s%s", state == DISPLAY_SHOWN ? "" : STATES[state], state == DISPLAY_SHOWN ? "" : "; ", text);
+    say(live, LOG_LEVEL_NOTICE, "display: %s%s%s", state == DISPLAY_SHOWN ? "" : STATES[state],
+        state == DISPLAY_SHOWN ? "" : "; ", text);
 }
 
 static void nap(void)
@@ -144,16 +136,19 @@ static bool draw(struct live *live)
     struct shader_error error;
     if (!live_picture_draw(&live->picture, live->display, fields, fresh, &error) ||
         !live_kiosk_draw(&live->kiosk, &error)) {
-        say("%s", error.text);
+        say(live, LOG_LEVEL_ERROR, "%s", error.text);
         return false;
     }
     live_input_draws(&live->input, live->display, fields->number);
     display_end(live->display);
+    if (live->presented_s > 0 && fresh) {
+        status_frame(&live->service.status.frames, now - live->presented_s);
+    }
     if (live->def->governed && live->presented_s > 0 && fresh) {
         const char *line = live_care_frame(&live->care, live->studio, 1000 * (now - live->presented_s),
                                            controls_are_held(live->input.controls));
         if (line) {
-            say("%s", line);
+            say(live, LOG_LEVEL_NOTICE, "%s", line);
         }
     }
     live->presented_s = now;
@@ -167,22 +162,23 @@ static bool recover(struct live *live)
     struct display_error display_error;
     struct studio_error error;
     double start = bench_wall_s();
-    say("GL is lost");
+    live->service.status.gpu_resets++;
+    say(live, LOG_LEVEL_WARNING, "GL is lost");
     live_picture_finish(&live->picture);
     live_kiosk_lost(&live->kiosk);
     live_input_unseen(&live->input);
     studio_suspend(live->studio);
     while (!display_renew(live->display, &display_error)) {
-        if (told_to_go(live)) {
+        if (live_over(live)) {
             return false;
         }
         display_wait(live->display, RENEW_EVERY_MS);
     }
     if (!studio_resume(live->studio, live->display, &error)) {
-        say("%s", error.text);
+        say(live, LOG_LEVEL_ERROR, "%s", error.text);
         return false;
     }
-    say("the painting is back after %.0f ms", 1000 * (bench_wall_s() - start));
+    say(live, LOG_LEVEL_NOTICE, "the painting is back after %.0f ms", 1000 * (bench_wall_s() - start));
     return true;
 }
 
@@ -196,11 +192,11 @@ static void look_after(struct live *live)
     struct studio_report report = studio_report(live->studio);
     live->second_s = now;
     if (report.trouble[0]) {
-        say("%s", report.trouble);
+        say(live, LOG_LEVEL_WARNING, "%s", report.trouble);
     }
     if (report.ended && !live->said_end) {
         live->said_end = true;
-        say("the session has ended at tick %lld", (long long)report.ticks);
+        say(live, LOG_LEVEL_INFO, "the session has ended at tick %lld", (long long)report.ticks);
     }
     live_picture_reload(&live->picture);
 }
@@ -209,46 +205,44 @@ static void say_totals(struct live *live)
 {
     struct studio_report report = studio_report(live->studio);
     struct display_frames frames = display_frames(live->display);
-    say("%llu frames presented, %llu vertical blanks missed, %lld ticks of %.1f ms",
+    say(live, LOG_LEVEL_INFO, "%llu frames presented, %llu vertical blanks missed, %lld ticks of %.1f ms",
         (unsigned long long)frames.presented, (unsigned long long)frames.missed, (long long)report.ticks,
         report.tick_ms);
     char text[200];
     if (*latency_text(&live->input.latency, text, sizeof text)) {
-        say("delays %s", text);
+        say(live, LOG_LEVEL_INFO, "delays %s", text);
     }
 }
 
-static bool write_shot(const struct live *live)
+static bool write_shot(struct live *live)
 {
     struct display_size size = display_sheet(live->display);
     uint8_t *rgb = live->def->shot ? malloc((size_t)size.width * (size_t)size.height * 3 + 1) : NULL;
     struct file_error error;
     bool good = true;
     if (live->def->shot && !(rgb && display_capture(live->display, rgb))) {
-        say("%s: there is no frame to write", live->def->shot);
+        say(live, LOG_LEVEL_ERROR, "%s: there is no frame to write", live->def->shot);
         good = false;
     } else if (live->def->shot && !image_write_png(live->def->shot, rgb, size.width, size.height, NULL, &error)) {
-        say("%s", error.text);
+        say(live, LOG_LEVEL_ERROR, "%s", error.text);
         good = false;
     }
     free(rgb);
     return good;
 }
 
-static bool run(struct live *live)
+bool live_turn(struct live *live)
 {
-    bool good = true;
-    while (good && !told_to_go(live)) {
-        display_wait(live->display, live_input_wait_ms(&live->input, live_kiosk_wait_ms(&live->kiosk, WAIT_MS)));
-        if (display_lost(live->display)) {
-            good = recover(live);
-            continue;
-        }
-        feel(live);
-        note_state(live);
-        good = draw(live);
-        look_after(live);
+    display_wait(live->display, live_input_wait_ms(&live->input, live_kiosk_wait_ms(&live->kiosk, WAIT_MS)));
+    if (display_lost(live->display)) {
+        return recover(live);
     }
+    feel(live);
+    note_state(live);
+    bool good = draw(live);
+    look_after(live);
+    live_service_turn(&live->service, &live->kiosk, now_us());
+    live_group_turn(&live->group, &live->kiosk, &live->service.status, now_us());
     return good;
 }
 
@@ -261,16 +255,18 @@ static bool open_studio(struct live *live)
     const struct shader_folder *folder = live->folder.path ? &live->folder : NULL;
     live->choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
                                  engine_choice_path(path, sizeof path) ? path : NULL);
-    say("%s", live->choice.why);
+    say(live, LOG_LEVEL_INFO, "%s", live->choice.why);
     def.script = live->script;
     def.engine = live->choice.kind;
     def.folder = folder;
     def.ticks_per_second = live->def->ticks_per_second;
     def.xray = live->def->xray;
     def.once = live->def->once;
+    live_keep_open(&live->painting, live->def->state, live->def->exhibit, live->choice.kind);
+    live_keep_studio(&live->painting, live->def->exhibit, &def);
     live->studio = studio_create(&def, live->display, &error);
     if (!live->studio) {
-        say("%s", error.text);
+        say(live, LOG_LEVEL_ERROR, "%s", error.text);
     }
     return live->studio;
 }
@@ -278,45 +274,82 @@ static bool open_studio(struct live *live)
 /* The exhibit's kiosk with its input, or the input of a session. */
 static bool open_input(struct live *live)
 {
-    const struct live_input_def input = {
-        .inputs = live->def->inputs, .rotation = live->def->rotation, .hold = live->def->hold};
-    const struct live_kiosk_def def = {live->def->exhibit, live->def->open, live->def->state};
+    const struct live_input_def input = {.inputs = live->def->inputs,
+                                         .rotation = live->def->rotation,
+                                         .hold = live->def->hold,
+                                         .console = live->def->console};
+    const struct live_kiosk_def def = {live->def->exhibit, live->def->open,    &live->painting,
+                                       live->def->state,   live->def->trouble, live->def->clock};
     const struct live_status_def status = {.display = live->display,
                                            .studio = live->studio,
                                            .input = &live->input,
                                            .care = &live->care,
-                                           .engine = live->choice.why};
+                                           .engine = live->choice.why,
+                                           .kind = engine_kind_name(live->choice.kind)};
     bool good = live_kiosk_open(&live->kiosk, &def, &status, &live->picture, &live->input, &input,
                                 live->def->shaders ? &live->folder : NULL) &&
                 (def.exhibit || live_input_open(&live->input, live->script, live->display, &input));
     if (!good) {
-        say("memory is short for what visitors do");
+        say(live, LOG_LEVEL_ERROR, "memory is short for what visitors do");
     }
     return good;
 }
 
+/* What is large goes back to the system as soon as it is free. By itself glibc (mallopt(3)) raises the size from which
+ * it does that to what was freed last, up to 32 MiB, and a process that runs for months keeps the most it ever had,
+ * once an arena. */
+static void keep_memory_low(void)
+{
+#ifdef M_MMAP_THRESHOLD
+    mallopt(M_MMAP_THRESHOLD, LARGE_BYTES);
+    mallopt(M_TRIM_THRESHOLD, LARGE_BYTES);
+    mallopt(M_ARENA_MAX, ARENAS);
+#endif
+}
+
+bool live_open(struct live *live, const struct script *script, struct display *display, const struct live_def *def)
+{
+    *live = (struct live){
+        .script = script, .def = def, .display = display, .folder = {def->shaders}, .state = display_state(display)};
+    log_init(&live->log, STDERR_FILENO);
+    keep_memory_low();
+    live->signals = catch_signals();
+    live_picture_init(&live->picture, script, def->xray, def->shaders ? &live->folder : NULL);
+    snprintf(live->described, sizeof live->described, "%s", display_describe(display));
+    say(live, LOG_LEVEL_INFO, "display: %s", live->described);
+    bool good = live->signals >= 0 &&
+                live_care_init(&live->care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
+                open_studio(live) && open_input(live) && live_service_open(&live->service, now_us());
+    if (good) {
+        studio_rest(live->studio, live->state != DISPLAY_SHOWN);
+    }
+    return good;
+}
+
+void live_close(struct live *live)
+{
+    live_group_close(&live->group);
+    live_service_close(&live->service);
+    studio_destroy(live->studio);
+    live_keep_close(&live->painting);
+    live_input_close(&live->input);
+    live_kiosk_close(&live->kiosk);
+    live_picture_finish(&live->picture);
+    live_care_finish(&live->care);
+    release_signals(live->signals);
+}
+
 bool live(const struct script *script, struct display *display, const struct live_def *def)
 {
-    struct live live = {
-        .script = script, .def = def, .display = display, .folder = {def->shaders}, .state = display_state(display)};
-    live.signals = catch_signals();
-    live_picture_init(&live.picture, script, def->xray, def->shaders ? &live.folder : NULL);
-    snprintf(live.described, sizeof live.described, "%s", display_describe(display));
-    say("display: %s", live.described);
-    bool good = live.signals >= 0 &&
-                live_care_init(&live.care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
-                open_studio(&live) && open_input(&live);
+    struct live live;
+    bool good = live_open(&live, script, display, def);
     if (good) {
-        studio_rest(live.studio, live.state != DISPLAY_SHOWN);
-        good = run(&live);
+        while (good && !live_over(&live)) {
+            good = live_turn(&live);
+        }
         say_totals(&live);
         good = write_shot(&live) && good;
     }
-    studio_destroy(live.studio);
-    live_input_close(&live.input);
-    live_kiosk_close(&live.kiosk);
-    live_picture_finish(&live.picture);
-    live_care_finish(&live.care);
-    release_signals(live.signals);
+    live_close(&live);
     return good;
 }

@@ -6,6 +6,7 @@
 #include "engine_choice.h"
 #include "exhibit.h"
 #include "inputs.h"
+#include "live_clock.h"
 #include "program.h"
 #include "script.h"
 
@@ -16,7 +17,9 @@ struct live_def {
     bool open;               /* a kiosk: whatever its schedule says */
     const char *state;       /* folder that a kiosk may write to; NULL: none */
     const struct inputs *inputs; /* what visitors do; NULL: the default (inputs.h) */
+    const char *trouble;         /* why the exhibit's file cannot be used and this one stands in for it; NULL: it can */
     bool hold;                   /* on a screen: no key reaches the system (source_touch.h) */
+    const char *console;         /* with `hold`: the VT that takes no keys either; NULL: none */
     int rotation;                /* of the display, degrees clockwise: fingers turn along */
     const char *shot;            /* PNG of the last frame, written at the end; NULL: none */
     int64_t frames;              /* end after so many; 0: when told to */
@@ -24,6 +27,7 @@ struct live_def {
     bool once;                   /* the session is painted once and stays; else it begins again and again */
     bool xray;                   /* the layers instead of the picture */
     bool governed;               /* less is computed where the machine is too slow or too hot */
+    struct live_clock clock;     /* of a kiosk; all zero: the real ones */
 };
 
 struct live_def live_default_def(void);

@@ -9,7 +9,8 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
     struct display_size size = display_sheet(display);
     bool screen = display_kind(display) == DISPLAY_KMS;
     int fds[SOURCES_MAX];
-    *input = (struct live_input){.own = def->inputs ? NULL : inputs_default(script)};
+    *input = (struct live_input){
+        .kiosk = def->kiosk, .clock = def->clock, .own = def->inputs ? NULL : inputs_default(script)};
     const struct inputs *inputs = def->inputs ? def->inputs : input->own;
     if (!inputs) {
         return false;
@@ -17,12 +18,16 @@ bool live_input_open(struct live_input *input, const struct script *script, stru
     const struct sources_def sources = {.inputs = inputs,
                                         .touch = screen,
                                         .hold = screen && def->hold,
+                                        .console = def->console,
                                         .rotation = def->rotation,
                                         .width = size.width,
                                         .height = size.height};
     input->sources = sources_create(&sources);
-    input->controls = controls_create(
-        &(struct controls_def){.inputs = inputs, .inks = script->ink_count, .coefficients = script->coefficients});
+    input->controls = controls_create(&(struct controls_def){.inputs = inputs,
+                                                             .inks = script->ink_count,
+                                                             .coefficients = script->coefficients,
+                                                             .seats = def->seats,
+                                                             .seat_count = def->seat_count});
     input->lamps.inputs = inputs;
     if (!input->sources || !input->controls) {
         return false;
@@ -62,7 +67,11 @@ static void take(struct live_input *input, struct event *event)
         controls_introduce(input->controls, event->source, &device);
         lamps_introduce(&input->lamps, event->source, &device);
     }
-    if (!input->kiosk || kiosk_feel(input->kiosk, event, now_us())) {
+    uint64_t time_us = event->time_us;
+    event->time_us = live_clock_at(&input->clock, time_us);
+    bool felt = !input->kiosk || kiosk_feel(input->kiosk, event, live_clock_us(&input->clock));
+    event->time_us = time_us;
+    if (felt) {
         controls_feel(input->controls, event);
     }
 }
@@ -73,7 +82,7 @@ static void grant(struct live_input *input, const struct wish *wish, struct stud
     struct action action = action_default(wish->kind == WISH_UNDO ? ACTION_UNDO : ACTION_REDO);
     action.visitor = wish->visitor;
     if (input->kiosk) {
-        kiosk_wish(input->kiosk, wish, now_us());
+        kiosk_wish(input->kiosk, wish, live_clock_us(&input->clock));
     } else if (wish->kind == WISH_UNDO || wish->kind == WISH_REDO) {
         studio_post(studio, &action);
     }
@@ -118,7 +127,7 @@ void live_input_feel(struct live_input *input, struct display *display, struct s
     }
     controls_run(input->controls, now_us());
     while (controls_action(input->controls, &action, &time_us)) {
-        bool taken = input->kiosk ? kiosk_act(input->kiosk, &action, time_us, now_us())
+        bool taken = input->kiosk ? kiosk_act(input->kiosk, &action, time_us, live_clock_us(&input->clock))
                                   : studio_post_event(studio, &action, time_us);
         input->refused += !taken;
     }

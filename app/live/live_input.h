@@ -7,14 +7,16 @@
 #include "display.h"
 #include "lamps.h"
 #include "latency.h"
+#include "live_clock.h"
 #include "sources.h"
 #include "studio.h"
 
 struct kiosk;
 
 struct live_input {
-    struct kiosk *kiosk; /* hears everything first, and posts; NULL: a session */
-    struct inputs *own;  /* the default ones, where none were given */
+    struct kiosk *kiosk;     /* hears everything first, and posts; NULL: a session */
+    struct live_clock clock; /* the kiosk's */
+    struct inputs *own;      /* the default ones, where none were given */
     struct sources *sources;
     struct controls *controls;
     struct lamps lamps;
@@ -27,9 +29,11 @@ struct live_input_def {
     const struct inputs *inputs;      /* NULL: the default ones; else the caller's, which outlive this */
     int rotation;                     /* of the display, degrees clockwise */
     bool hold;                        /* on a screen: no key reaches the system */
+    const char *console;              /* with `hold`: the VT that takes no keys (source_touch.h); NULL: none */
     const struct exhibit_seat *seats; /* copied; NULL: one */
     int seat_count;
     struct kiosk *kiosk; /* as above */
+    struct live_clock clock;
 };
 
 /* False when memory is short. */

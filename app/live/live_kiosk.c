@@ -4,14 +4,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include <unistd.h>
 
 #include "bench.h"
 #include "script_sheet.h"
 
 static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are left to others */
 
-static uint64_t now_us(void)
+static uint64_t now_us(const struct live_kiosk *kiosk)
+{
+    return live_clock_us(&kiosk->clock);
+}
+
+static uint64_t real_us(void)
 {
     return (uint64_t)(1e6 * bench_wall_s());
 }
@@ -23,13 +28,16 @@ static void say(struct live_kiosk *kiosk, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(kiosk->line, sizeof kiosk->line, format, arguments);
     va_end(arguments);
+    kiosk->level = LOG_LEVEL_INFO;
     kiosk->has_line = true;
 }
 
 static bool stage_post(void *context, const struct action *action, uint64_t event_us)
 {
     struct live_kiosk *kiosk = context;
-    return studio_post_event(kiosk->status.studio, action, event_us);
+    bool posted = studio_post_event(kiosk->status.studio, action, event_us);
+    kiosk->drops += posted && action->verb == ACTION_DROP && action->visitor > 0;
+    return posted;
 }
 
 static void stage_fresh(void *context)
@@ -44,6 +52,7 @@ static void stage_change(void *context, const struct script *script)
     struct live_kiosk *kiosk = context;
     studio_change(kiosk->status.studio, script);
     kiosk->other = true;
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
 }
 
 static void stage_keep(void *context)
@@ -65,6 +74,12 @@ static struct kiosk_sheet stage_sheet(void *context)
     return (struct kiosk_sheet){report.sessions, report.ticks, report.can_undo, report.can_redo};
 }
 
+static bool stage_guide(void *context, struct action *guide)
+{
+    struct live_kiosk *kiosk = context;
+    return kiosk->pictures && live_pictures_next(kiosk->pictures, guide);
+}
+
 static void stage_status(void *context, char *lines, size_t size)
 {
     struct live_kiosk *kiosk = context;
@@ -79,13 +94,30 @@ void live_kiosk_fit(struct exhibit *exhibit, int width, int height)
     }
 }
 
-static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit)
+static bool same_gallery(const struct exhibit_gallery *a, const struct exhibit_gallery *b)
+{
+    return a->pictures == b->pictures && a->megabytes == b->megabytes &&
+           (a->folder && b->folder ? strcmp(a->folder, b->folder) == 0 : a->folder == b->folder);
+}
+
+static void gallery_path(const struct live_kiosk *kiosk, const struct exhibit *exhibit, char *path, size_t size)
+{
+    snprintf(path, size, "%s/%s", kiosk->state ? kiosk->state : "",
+             exhibit->gallery.folder ? exhibit->gallery.folder : "");
+}
+
+/* `before`: what was shown until now, or NULL. The same gallery stays open: to close one waits for what it writes. */
+static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit, const struct exhibit *before)
 {
     char folder[1200];
+    if (before && same_gallery(&exhibit->gallery, &before->gallery)) {
+        return;
+    }
     gallery_destroy(kiosk->gallery);
     kiosk->gallery = NULL;
+    kiosk->keep = kiosk->slides.asked = false;
     if (kiosk->state && exhibit->gallery.folder) {
-        snprintf(folder, sizeof folder, "%s/%s", kiosk->state, exhibit->gallery.folder);
+        gallery_path(kiosk, exhibit, folder, sizeof folder);
         kiosk->gallery = gallery_create(&(struct gallery_def){.folder = folder,
                                                               .pictures = exhibit->gallery.pictures,
                                                               .bytes = (int64_t)exhibit->gallery.megabytes << 20,
@@ -108,31 +140,56 @@ static bool open_input(struct live_kiosk *kiosk, const struct exhibit *exhibit)
     return good;
 }
 
+/* The exhibit's file is wrong, and why. */
+static void refuse(struct live_kiosk *kiosk, const char *what, const char *report)
+{
+    kiosk_trouble(kiosk->kiosk, report);
+    say(kiosk, "%s:\n%.1100s", what, report);
+    kiosk->level = LOG_LEVEL_WARNING;
+    kiosk->errors++;
+    kiosk->wrong = true;
+}
+
 bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def, const struct live_status_def *status,
                      struct live_picture *picture, struct live_input *input, const struct live_input_def *input_def,
                      const struct shader_folder *folder)
 {
     struct display_size size = display_sheet(status->display);
-    *kiosk = (struct live_kiosk){.status = *status, .picture = picture, .input = input, .state = def->state};
+    *kiosk = (struct live_kiosk){.status = *status,
+                                 .picture = picture,
+                                 .input = input,
+                                 .state = def->state,
+                                 .painting = def->painting,
+                                 .clock = def->clock};
     kiosk->input_def = *input_def;
+    kiosk->input_def.clock = def->clock;
     live_overlay_init(&kiosk->overlay, folder);
     if (!def->exhibit) {
         return true;
     }
-    struct kiosk_def kiosk_def = {
-        .exhibit = def->exhibit,
-        .width = size.width > 0 ? size.width : DISPLAY_HEADLESS_WIDTH,
-        .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
-        .seed = (uint64_t)time(NULL),
-        .built = FROND_BUILT,
-        .open = def->open,
-        .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power, stage_sheet, stage_status}};
+    struct kiosk_def kiosk_def = {.exhibit = def->exhibit,
+                                  .width = size.width > 0 ? size.width : DISPLAY_HEADLESS_WIDTH,
+                                  .height = size.height > 0 ? size.height : DISPLAY_HEADLESS_HEIGHT,
+                                  .seed = (uint64_t)live_clock_wall(&def->clock),
+                                  .built = FROND_BUILT,
+                                  .open = def->open,
+                                  .resume = def->painting->scene >= 0,
+                                  .scene = def->painting->scene,
+                                  .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power,
+                                            stage_sheet, stage_guide, stage_status}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
-    kiosk->kiosk = kiosk_create(&kiosk_def, now_us());
+    kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
     if (!kiosk->kiosk || !kiosk->watch) {
         return false;
     }
-    open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    if (def->trouble) {
+        refuse(kiosk, "the exhibit cannot be shown, and another one stands in for it until it can", def->trouble);
+    }
+    open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
+    live_slides_open(&kiosk->slides);
+    kiosk->pictures = live_pictures_create(kiosk_shows(kiosk->kiosk));
+    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+    kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
 }
 
@@ -143,15 +200,29 @@ void live_kiosk_close(struct live_kiosk *kiosk)
     exhibit_watch_destroy(kiosk->watch);
     kiosk_destroy(kiosk->kiosk);
     exhibit_destroy(kiosk->before);
+    live_slides_close(&kiosk->slides);
+    live_pictures_destroy(kiosk->pictures);
     gallery_destroy(kiosk->gallery);
     *kiosk = (struct live_kiosk){.kiosk = NULL};
+}
+
+static bool same_seat(const struct exhibit_seat *a, const struct exhibit_seat *b)
+{
+    bool same = a->ink == b->ink && a->side == b->side;
+    for (int i = 0; same && i < 4; i++) {
+        same = !(a->zone[i] < b->zone[i] || a->zone[i] > b->zone[i]);
+    }
+    return same;
 }
 
 /* Whether what visitors hold may stay in their hands. */
 static bool same_hands(const struct exhibit *now, const struct exhibit *next)
 {
-    return now->inputs_mark == next->inputs_mark && now->seat_count == next->seat_count &&
-           memcmp(now->seats, next->seats, sizeof now->seats) == 0 &&
+    bool seats = now->seat_count == next->seat_count;
+    for (int i = 0; seats && i < now->seat_count; i++) {
+        seats = same_seat(&now->seats[i], &next->seats[i]);
+    }
+    return seats && now->inputs_mark == next->inputs_mark &&
            now->scenes[0].script->ink_count == next->scenes[0].script->ink_count;
 }
 
@@ -162,8 +233,11 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     live_kiosk_fit(exhibit, size.width, size.height);
     kiosk_trouble(kiosk->kiosk, NULL);
     bool same = same_hands(kiosk_shows(kiosk->kiosk), exhibit);
-    kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us());
-    open_gallery(kiosk, kiosk_shows(kiosk->kiosk));
+    kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
+    open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
+    if (kiosk->pictures) {
+        live_pictures_set(kiosk->pictures, kiosk_shows(kiosk->kiosk));
+    }
     if (same) { /* the inputs in use become the new exhibit's */
         struct inputs *inputs = exhibit->inputs;
         exhibit->inputs = kiosk->before->inputs;
@@ -174,6 +248,8 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     }
     say(kiosk, "%s: taken up %.0f ms after it was changed%s", kiosk_shows(kiosk->kiosk)->path,
         exhibit_watch_ms(kiosk->watch), same ? "" : ", with other inputs");
+    kiosk->reloads++;
+    kiosk->wrong = false;
 }
 
 static void look_at_file(struct live_kiosk *kiosk)
@@ -187,18 +263,25 @@ static void look_at_file(struct live_kiosk *kiosk)
         }
         return;
     }
-    switch (exhibit_watch_news(kiosk->watch, now_us(), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
+    switch (exhibit_watch_news(kiosk->watch, real_us(), kiosk_shows(kiosk->kiosk), &exhibit, &report)) {
     case EXHIBIT_READ:
         take_up(kiosk, exhibit);
         break;
     case EXHIBIT_WRONG:
-        kiosk_trouble(kiosk->kiosk, report);
-        say(kiosk, "the exhibit stays as it was:\n%.1100s", report);
+        refuse(kiosk, "the exhibit stays as it was", report);
         free(report);
         break;
     default:
         break;
     }
+}
+
+static void run_slides(struct live_kiosk *kiosk)
+{
+    const struct exhibit *exhibit = kiosk_shows(kiosk->kiosk);
+    char folder[1200];
+    gallery_path(kiosk, exhibit, folder, sizeof folder);
+    live_slides_run(&kiosk->slides, kiosk->kiosk, kiosk->gallery, folder, exhibit->gallery.stick, now_us(kiosk));
 }
 
 void live_kiosk_run(struct live_kiosk *kiosk)
@@ -207,18 +290,23 @@ void live_kiosk_run(struct live_kiosk *kiosk)
         return;
     }
     const struct script *script = kiosk_scene(kiosk->kiosk)->script;
-    kiosk_run(kiosk->kiosk, now_us(), time(NULL));
+    kiosk_run(kiosk->kiosk, now_us(kiosk), live_clock_wall(&kiosk->clock));
     if (kiosk->other && studio_script(kiosk->status.studio) == script) {
         live_picture_change(kiosk->picture, script);
         live_care_change(kiosk->status.care, script);
         kiosk->other = false;
     }
+    if (kiosk_is_visited(kiosk->kiosk) != kiosk->visited) {
+        kiosk->visited = !kiosk->visited;
+        live_keep_visit(kiosk->painting, kiosk->visited);
+    }
+    run_slides(kiosk);
     look_at_file(kiosk);
 }
 
 bool live_kiosk_changed(struct live_kiosk *kiosk)
 {
-    return kiosk->kiosk && kiosk_look(kiosk->kiosk, now_us())->changed;
+    return kiosk->kiosk && kiosk_look(kiosk->kiosk, now_us(kiosk))->changed;
 }
 
 static void keep(struct live_kiosk *kiosk)
@@ -227,8 +315,17 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
-        gallery_keep(kiosk->gallery, &(struct gallery_picture){
-                                         .rgb = rgb, .width = width, .height = height, .unix_s = (int64_t)time(NULL)});
+        char journal[40];
+        int fd = live_keep_journal(kiosk->painting);
+        snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);
+        gallery_keep(kiosk->gallery, &(struct gallery_picture){.rgb = rgb,
+                                                               .width = width,
+                                                               .height = height,
+                                                               .unix_s = (int64_t)live_clock_wall(&kiosk->clock),
+                                                               .journal = fd >= 0 ? journal : NULL});
+        if (fd >= 0) {
+            close(fd);
+        }
     }
 }
 
@@ -240,7 +337,7 @@ bool live_kiosk_draw(struct live_kiosk *kiosk, struct shader_error *error)
     if (kiosk->keep) {
         keep(kiosk);
     }
-    return live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us()), error);
+    return live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us(kiosk)), error);
 }
 
 void live_kiosk_lost(struct live_kiosk *kiosk)
@@ -250,7 +347,7 @@ void live_kiosk_lost(struct live_kiosk *kiosk)
 
 int live_kiosk_wait_ms(const struct live_kiosk *kiosk, int most)
 {
-    return kiosk->kiosk ? kiosk_timeout_ms(kiosk->kiosk, now_us(), most) : most;
+    return kiosk->kiosk ? kiosk_timeout_ms(kiosk->kiosk, now_us(kiosk), most) : most;
 }
 
 bool live_kiosk_leaves(const struct live_kiosk *kiosk)
@@ -271,7 +368,7 @@ static void note_visit(struct live_kiosk *kiosk)
     }
 }
 
-bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
+bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size, enum log_level *level)
 {
     if (kiosk->kiosk && !kiosk->has_line) {
         note_visit(kiosk);
@@ -279,6 +376,12 @@ bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size)
     if (kiosk->has_line) {
         snprintf(line, (size_t)size, "%s", kiosk->line);
         kiosk->has_line = false;
+        *level = kiosk->level;
+        return true;
+    }
+    *level = LOG_LEVEL_NOTICE;
+    if (kiosk->kiosk && (live_keep_log(kiosk->painting, line, size) || live_slides_log(&kiosk->slides, line, size) ||
+                         (kiosk->pictures && live_pictures_log(kiosk->pictures, line, size)))) {
         return true;
     }
     return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);

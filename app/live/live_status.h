@@ -17,6 +17,7 @@ struct live_status_def {
     struct live_care *care;
     struct gallery *gallery; /* NULL: nothing is kept */
     const char *engine;      /* as engine_choice says it */
+    const char *kind;        /* "cpu", "gpu" */
 };
 
 /* Fills `lines`, cut at `size`. */

@@ -11,6 +11,7 @@
 #include "image.h"
 #include "limits.h"
 #include "painting_gpu.h"
+#include "plan.h"
 
 enum { PLANE_DEPTH, PLANE_SOLVENT, PLANE_MASK, PLANE_INKS, PLANE_SPARE = PLANE_INKS + PAINTING_INKS, PLANES };
 
@@ -86,6 +87,11 @@ struct engine *easel_engine(struct easel *easel, const struct painting_def *pain
         file_fail(error, "the painting", "memory is short for %dx%d cells", def.width, def.height);
     }
     return engine;
+}
+
+struct engine *easel_make(void *easel, const struct painting_def *painting, struct file_error *error)
+{
+    return easel_engine(easel, painting, error);
 }
 
 void easel_close(struct easel *easel)
@@ -172,5 +178,27 @@ bool easel_write_frame(struct easel_picture *picture, struct engine *engine, con
     snprintf(path, size, "%s/%06lld.png", folder, (long long)number);
     bool good = easel_write(picture, engine, path, error);
     free(path);
+    return good;
+}
+
+bool easel_write_plan(struct engine *engine, double paper_mm, const char *path, struct file_error *error)
+{
+    const struct engine_ops *ops = engine->ops;
+    struct painting_def def = ops->get_def(engine);
+    size_t cells = (size_t)def.width * (size_t)def.height, size;
+    float *depth = malloc(2 * cells * sizeof *depth);
+    char *text = NULL;
+    if (depth) {
+        ops->read(engine, PAINTING_ACTIVE, depth);
+        ops->read(engine, PAINTING_CARVED, depth + cells);
+        for (size_t i = 0; i < cells; i++) {
+            depth[i] += depth[cells + i];
+        }
+        text = plan_svg(depth, def.width, def.height, paper_mm > 0 ? paper_mm : PLAN_PAPER_MM, &size);
+    }
+    bool good =
+        text ? file_write_atomic(path, text, size, error) : file_fail(error, path, "memory is short for the plan");
+    free(text);
+    free(depth);
     return good;
 }

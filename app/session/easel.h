@@ -29,6 +29,8 @@ struct easel {
 /* An engine for this painting, of the kind that the easel stands for; `auto` is decided by the first. NULL with the
  * reason in `error`. The caller's, to be destroyed before the easel is closed. */
 struct engine *easel_engine(struct easel *easel, const struct painting_def *painting, struct file_error *error);
+/* The same for struct player_maker. */
+struct engine *easel_make(void *easel, const struct painting_def *painting, struct file_error *error);
 void easel_close(struct easel *easel); /* a zeroed one may be closed */
 
 /* A picture of a fixed size in pixels. */
@@ -52,6 +54,9 @@ bool easel_write(struct easel_picture *picture, struct engine *engine, const cha
 /* The same into FOLDER/000123.png. */
 bool easel_write_frame(struct easel_picture *picture, struct engine *engine, const char *folder, int64_t number,
                        struct file_error *error);
+
+/* The branches as an SVG for plotters (plan.h), on a sheet of this width; 0: PLAN_PAPER_MM. */
+bool easel_write_plan(struct engine *engine, double paper_mm, const char *path, struct file_error *error);
 
 /* What can be known to fail before there is anything to write. Whether a file of that name can be made; NULL can. */
 bool easel_check_file(const char *path, struct file_error *error);

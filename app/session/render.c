@@ -7,7 +7,6 @@
 #include "history.h"
 #include "image.h"
 #include "journal.h"
-#include "plan.h"
 #include "script_sheet.h"
 #include "stats.h"
 
@@ -61,28 +60,6 @@ static bool write_fields(struct rendering *rendering, const char *path, struct f
     bool good = image_write_exr(path, names, planes, PAINTING_FIELDS, rendering->script->width,
                                 rendering->script->height, &def, error);
     free(values);
-    return good;
-}
-
-static bool write_plan(struct rendering *rendering, const char *path, struct file_error *error)
-{
-    const struct engine_ops *ops = rendering->engine->ops;
-    double paper = rendering->def->paper_mm > 0 ? rendering->def->paper_mm : PLAN_PAPER_MM;
-    float *depth = malloc(2 * rendering->cells * sizeof *depth);
-    char *text = NULL;
-    size_t size;
-    if (depth) {
-        ops->read(rendering->engine, PAINTING_ACTIVE, depth);
-        ops->read(rendering->engine, PAINTING_CARVED, depth + rendering->cells);
-        for (size_t i = 0; i < rendering->cells; i++) {
-            depth[i] += depth[rendering->cells + i];
-        }
-        text = plan_svg(depth, rendering->script->width, rendering->script->height, paper, &size);
-    }
-    bool good =
-        text ? file_write_atomic(path, text, size, error) : file_fail(error, path, "memory is short for the plan");
-    free(text);
-    free(depth);
     return good;
 }
 
@@ -176,7 +153,7 @@ static bool write_end(struct rendering *rendering, struct file_error *error)
     return (!def->journal || write_journal(rendering, def->journal, error)) &&
            (!def->fields || write_fields(rendering, def->fields, error)) &&
            (!def->stats || stats_write(def->stats, rendering->script, rendering->engine, error)) &&
-           (!def->svg || write_plan(rendering, def->svg, error)) &&
+           (!def->svg || easel_write_plan(rendering->engine, def->paper_mm, def->svg, error)) &&
            (!def->picture || easel_write(&rendering->picture, rendering->engine, def->picture, error));
 }
 

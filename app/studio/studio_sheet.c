@@ -132,6 +132,7 @@ static bool carry_over(struct studio *studio, const struct painting_def *def)
     struct engine *next = NULL;
     bool same = now.width == def->width && now.height == def->height && now.margin == def->margin;
     if (same && now.seed == def->seed) {
+        fit_history(studio, def); /* what was under the old script is not to come back, here as elsewhere */
         return true;
     }
     bool good = checkpoint_init(&from, &now) && studio->engine->ops->save(studio->engine, &from);

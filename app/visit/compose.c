@@ -92,7 +92,7 @@ static void post_drop(struct composer *composer, const struct bloom *bloom, int 
     drop.has_at = true;
     drop.ink = ink;
     drop.radius = drop_radius(bloom) * dice_between(composer->dice, 0.9f, 1.1f);
-    drop.solvent = 2 + 0.11f * share_of_size(bloom); /* it starves at about that size, slowly */
+    drop.solvent = 2 + 0.15f * share_of_size(bloom); /* it starves at about that size, slowly */
     drop.amount = 15 + (is_swept(composer) ? 0.8f : 0.62f) * share_of_size(bloom);
     drop.edge = EDGE_RAGGED;
     drop.brush = bloom->brush;

@@ -24,6 +24,12 @@ static float clamp(float value)
     return fminf(fmaxf(value, 0), 1);
 }
 
+static bool takes_any(const struct hud *hud, int panel)
+{
+    const struct exhibit *exhibit = hud->def.exhibit;
+    return exhibit->seats[panel].ink < 0 && (!exhibit->inputs || exhibit->inputs->visitors == VISITORS_EACH);
+}
+
 /* What is chosen must still be offered. */
 static void check_panel(struct hud *hud, int panel)
 {
@@ -81,7 +87,8 @@ void hud_layout(struct hud *hud)
     int count = exhibit->seat_count < EXHIBIT_SEATS ? exhibit->seat_count : EXHIBIT_SEATS;
     hud->mm = (float)hud->def.width / (exhibit->display.width > 0 ? exhibit->display.width : 530);
     for (; hud->count < count; hud->count++) {
-        hud->panels[hud->count] = (struct hud_panel){.open = -1, .scanned = -1, .busy_opacity = 1};
+        hud->panels[hud->count] =
+            (struct hud_panel){.open = -1, .scanned = -1, .busy_opacity = 1, .any_ink = takes_any(hud, hud->count)};
     }
     hud->count = count;
     check_language(hud);
@@ -97,6 +104,7 @@ void hud_choose(struct hud *hud, int panel, int tool, int ink)
     struct hud_panel *of = &hud->panels[panel];
     of->tool = tool >= 0 ? tool : of->tool;
     of->ink = ink >= 0 ? ink : of->ink;
+    of->any_ink = of->any_ink && ink < 0;
     check_panel(hud, panel);
     hud_layout_panel(hud, panel); /* moves nothing, but a folded button shows what is chosen */
 }
@@ -107,6 +115,7 @@ void hud_reset(struct hud *hud)
         struct hud_panel *of = &hud->panels[i], old = *of;
         *of = (struct hud_panel){.open = -1,
                                  .scanned = -1,
+                                 .any_ink = takes_any(hud, i),
                                  .busy = old.busy,
                                  .busy_us = old.busy_us,
                                  .busy_opacity = old.busy_opacity,
@@ -300,6 +309,7 @@ static int take(struct hud *hud, int panel, const struct hud_button *button)
     switch (button->kind) {
     case HUD_INK:
         of->ink = button->value;
+        of->any_ink = false;
         break;
     case HUD_TOOL:
         of->tool = button->value;

@@ -51,6 +51,7 @@ struct hud_panel {
     int lines;                 /* of buttons: columns of a strip that stands, rows of one at the bottom */
     int open;                  /* enum hud_kind of the group that is shown in place of the rest; -1: none */
     int tool, ink;             /* chosen; to be set by hud_choose */
+    bool any_ink;              /* no ink is chosen yet, and each finger takes the next (inputs.visitors) */
     bool can_undo, can_redo;   /* set by the kiosk */
     int scanned;               /* the button that one-switch play is at; -1: none. Set by the kiosk */
     bool swapped;              /* hands: left and right change places */

@@ -34,7 +34,8 @@ static enum hud_icon icon_of(const struct hud_button *button)
 static bool is_chosen(const struct hud *hud, const struct hud_panel *panel, const struct hud_button *button)
 {
     return (button->kind == HUD_TOOL && button->value == panel->tool) ||
-           (button->kind == HUD_INK && button->value == panel->ink) || (button->kind == HUD_SEATED && hud->seated);
+           (button->kind == HUD_INK && button->value == panel->ink && !panel->any_ink) ||
+           (button->kind == HUD_SEATED && hud->seated);
 }
 
 static uint64_t panel_key(const struct hud *hud, int number)
@@ -43,7 +44,7 @@ static uint64_t panel_key(const struct hud *hud, int number)
     uint64_t key = pen_hash_int(hud_key(hud, PIECE_PANEL), number);
     const float places[] = {panel->x, panel->y, panel->width, panel->height};
     key = pen_hash(key, places, sizeof places);
-    key = pen_hash_int(pen_hash_int(key, panel->labels), panel->ink);
+    key = pen_hash_int(pen_hash_int(key, panel->labels), panel->any_ink ? -1 : panel->ink);
     for (int i = 0; i < panel->count; i++) {
         const struct hud_button *button = &panel->buttons[i];
         const float sizes[] = {button->x, button->y, button->width, button->height};

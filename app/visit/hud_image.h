@@ -5,7 +5,17 @@
 #include "hud_draw.h"
 #include "pen.h"
 
-enum hud_piece { PIECE_PANEL, PIECE_INVITE, PIECE_COUNTDOWN, PIECE_SENTENCE, PIECE_CURSOR, PIECE_STATUS, PIECE_MARK, PIECE_HAND, PIECE_LINE };
+enum hud_piece {
+    PIECE_PANEL,
+    PIECE_INVITE,
+    PIECE_COUNTDOWN,
+    PIECE_SENTENCE,
+    PIECE_CURSOR,
+    PIECE_STATUS,
+    PIECE_MARK,
+    PIECE_HAND,
+    PIECE_LINE
+};
 
 /* A key of a piece, with the sheet, the language and the texts' exhibit in it. */
 uint64_t hud_key(const struct hud *hud, enum hud_piece piece);

@@ -17,7 +17,12 @@ void kiosk_layout(struct kiosk *kiosk)
 {
     int width = kiosk->def.width, height = kiosk->def.height, longer = width > height ? width : height;
     struct hud_def hud = {kiosk->exhibit, width, height, kiosk->scene};
-    hud_init(&kiosk->hud, &hud);
+    if (kiosk->hud.def.exhibit) { /* what is shown and chosen stays */
+        kiosk->hud.def = hud;
+        hud_layout(&kiosk->hud);
+    } else {
+        hud_init(&kiosk->hud, &hud);
+    }
     bool seated = kiosk->hud.seated;
     access_init(&kiosk->access, &kiosk->exhibit->access, radius_share(kiosk, width), radius_share(kiosk, height));
     kiosk->access.seated = seated;
@@ -39,7 +44,13 @@ struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us)
     kiosk->attract = attract;
     kiosk->hours.open = true;
     kiosk->sheet = def->stage.sheet(def->stage.context).number;
-    visit_init(&kiosk->visit, kiosk->exhibit, now_us);
+    if (def->resume) {
+        kiosk->scene = def->scene;
+        kiosk->grounded = true;
+        visit_resume(&kiosk->visit, kiosk->exhibit, now_us);
+    } else {
+        visit_init(&kiosk->visit, kiosk->exhibit, now_us);
+    }
     kiosk_layout(kiosk);
     hud_reset(&kiosk->hud);
     return kiosk;
@@ -62,8 +73,7 @@ void kiosk_destroy(struct kiosk *kiosk)
 static void choose_again(struct kiosk *kiosk)
 {
     for (int i = 0; kiosk->controls && i < kiosk->hud.count; i++) {
-        controls_set_tool(kiosk->controls, i, (enum exhibit_tool)kiosk->hud.panels[i].tool);
-        controls_set_ink(kiosk->controls, i, kiosk->hud.panels[i].ink);
+        kiosk_choose(kiosk, i);
     }
 }
 
@@ -90,9 +100,9 @@ static void fresh_sheet(struct kiosk *kiosk)
     kiosk->def.stage.fresh(kiosk->def.stage.context);
 }
 
-static void next_scene(struct kiosk *kiosk)
+static void show_scene(struct kiosk *kiosk, int scene)
 {
-    kiosk->scene = (kiosk->scene + 1) % kiosk->exhibit->scene_count;
+    kiosk->scene = scene;
     kiosk->paintings = 0;
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk->exhibit->scenes[kiosk->scene].script);
     kiosk_layout(kiosk);
@@ -101,6 +111,11 @@ static void next_scene(struct kiosk *kiosk)
         controls_scene(kiosk->controls, script->ink_count, &script->coefficients);
     }
     choose_again(kiosk);
+}
+
+static void next_scene(struct kiosk *kiosk)
+{
+    show_scene(kiosk, (kiosk->scene + 1) % kiosk->exhibit->scene_count);
 }
 
 static void begin_wash(struct kiosk *kiosk)
@@ -195,7 +210,10 @@ static void run_wash(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
         return;
     }
     kiosk->paintings++;
-    if (kiosk->exhibit->visit.next_scene > 0 && kiosk->paintings >= kiosk->exhibit->visit.next_scene) {
+    if (kiosk->wanted > 0) {
+        show_scene(kiosk, kiosk->wanted - 1);
+        kiosk->wanted = 0;
+    } else if (kiosk->exhibit->visit.next_scene > 0 && kiosk->paintings >= kiosk->exhibit->visit.next_scene) {
         next_scene(kiosk);
     }
     fresh_sheet(kiosk);
@@ -207,12 +225,20 @@ static void run_attract(struct kiosk *kiosk, int64_t tick)
     if (!kiosk->begun) {
         attract_begin(kiosk->attract, kiosk->scene, (float)kiosk->def.width / (float)kiosk->def.height);
         kiosk->begun = true;
+        if (++kiosk->painted % 2 == 0 && kiosk->def.stage.guide &&
+            kiosk->def.stage.guide(kiosk->def.stage.context, &action)) {
+            kiosk_post(kiosk, &action, 0);
+        }
     }
     while (attract_action(kiosk->attract, tick, &action)) {
         kiosk_post(kiosk, &action, 0);
     }
-    if (attract_over(kiosk->attract, tick)) {
+    if (kiosk->wanted == kiosk->scene + 1) {
+        kiosk->wanted = 0;
+    }
+    if (attract_over(kiosk->attract, tick) || kiosk->wanted > 0) {
         begin_wash(kiosk);
+        kiosk->slide_due = kiosk->exhibit->gallery.slides > 0;
     }
 }
 
@@ -243,7 +269,8 @@ static void keep_hours(struct kiosk *kiosk, uint64_t now_us, time_t time)
     }
     kiosk->time = time;
     kiosk->hours = schedule_at(kiosk->exhibit, time, kiosk->def.built);
-    visit_feel(&kiosk->visit, kiosk->hours.open || kiosk->def.open ? VISIT_OPEN : VISIT_CLOSE, now_us);
+    bool open = kiosk->told == KIOSK_BY_SCHEDULE ? kiosk->hours.open || kiosk->def.open : kiosk->told == KIOSK_OPEN;
+    visit_feel(&kiosk->visit, open ? VISIT_OPEN : VISIT_CLOSE, now_us);
 }
 
 static void tell_status(struct kiosk *kiosk, uint64_t now_us)
@@ -304,6 +331,7 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     if (!attract) {
         return exhibit; /* memory is short: it stays as it is */
     }
+    kiosk->wanted = 0;
     attract_destroy(kiosk->attract);
     kiosk->attract = attract;
     kiosk->exhibit = exhibit;
@@ -329,6 +357,21 @@ void kiosk_trouble(struct kiosk *kiosk, const char *report)
     free(kiosk->trouble);
     kiosk->trouble = report ? strdup(report) : NULL;
     kiosk->lines_us = 0;
+}
+
+bool kiosk_wants_slide(struct kiosk *kiosk)
+{
+    bool wants = kiosk->slide_due && kiosk->visit.state == VISIT_ATTRACT && !kiosk->hud.status;
+    kiosk->slide_due = false;
+    return wants;
+}
+
+void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint64_t now_us)
+{
+    struct hud_image *image = &kiosk->images[LOOK_SLIDE];
+    hud_image_finish(image);
+    *image = (struct hud_image){.rgba = rgba, .width = width, .height = height, .key = ++kiosk->slides};
+    kiosk->slide_us = now_us;
 }
 
 void kiosk_resize(struct kiosk *kiosk, int width, int height)
@@ -361,6 +404,28 @@ bool kiosk_leaves(const struct kiosk *kiosk)
 const char *kiosk_state(const struct kiosk *kiosk)
 {
     return visit_state_name(kiosk->visit.state);
+}
+
+bool kiosk_want_scene(struct kiosk *kiosk, const char *id)
+{
+    for (int i = 0; i < kiosk->exhibit->scene_count; i++) {
+        if (kiosk->exhibit->scenes[i].id && strcmp(kiosk->exhibit->scenes[i].id, id) == 0) {
+            kiosk->wanted = i + 1;
+            return true;
+        }
+    }
+    return false;
+}
+
+void kiosk_keep_hours(struct kiosk *kiosk, enum kiosk_hours hours)
+{
+    kiosk->told = hours;
+    kiosk->time = 0; /* looked at at once */
+}
+
+bool kiosk_is_visited(const struct kiosk *kiosk)
+{
+    return kiosk->visit.painted && kiosk->visit.state != VISIT_ATTRACT && kiosk->visit.state != VISIT_CLOSED;
 }
 
 uint32_t kiosk_visits(const struct kiosk *kiosk)

@@ -38,6 +38,9 @@ struct kiosk_stage {
     void (*keep)(void *context);                                /* the picture as it is goes to the gallery */
     void (*power)(void *context, bool on);                      /* of the screen */
     struct kiosk_sheet (*sheet)(void *context);
+    /* A field of a stock picture for a fresh sheet that paints itself (ACTION_GUIDE); false: none is ready. May be
+     * NULL. */
+    bool (*guide)(void *context, struct action *guide);
     /* Lines of "name\tvalue\n" for the staff; may be NULL. */
     void (*status)(void *context, char *lines, size_t size);
 };
@@ -48,12 +51,14 @@ struct kiosk_def {
     uint64_t seed;           /* of the day: what paints by itself is another every time */
     time_t built;            /* of this program: a clock that is before it was never set */
     bool open;               /* whatever the schedule says */
+    bool resume;             /* in the middle of a visit in this scene: the sheet that there is has a painting */
+    int scene;
     struct kiosk_stage stage;
 };
 
 struct kiosk;
 
-/* In attract. NULL when memory is short; the exhibit is destroyed then. */
+/* In attract, or where it is to resume. NULL when memory is short; the exhibit is destroyed then. */
 struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us);
 void kiosk_destroy(struct kiosk *kiosk); /* takes NULL */
 
@@ -75,8 +80,19 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
 /* The exhibit's file cannot be used as it is now, and why; NULL: it can. The staff sees a mark, and reads it in the
  * status view. */
 void kiosk_trouble(struct kiosk *kiosk, const char *report);
+/* Whether a picture of the gallery may be shown now, in attract: once for each time. */
+bool kiosk_wants_slide(struct kiosk *kiosk);
+/* Shows it for as long as the exhibit says, unless somebody comes: RGBA, multiplied by alpha, from malloc, taken over.
+ */
+void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint64_t now_us);
 /* The sheet has another size. */
 void kiosk_resize(struct kiosk *kiosk, int width, int height);
+
+/* The scene of this id is shown as soon as nobody paints. False: the exhibit has none. */
+bool kiosk_want_scene(struct kiosk *kiosk, const char *id);
+enum kiosk_hours { KIOSK_BY_SCHEDULE, KIOSK_OPEN, KIOSK_CLOSED };
+/* Open or closed, whatever the schedule says, until told otherwise. */
+void kiosk_keep_hours(struct kiosk *kiosk, enum kiosk_hours hours);
 
 const struct exhibit *kiosk_shows(const struct kiosk *kiosk);
 const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk);
@@ -85,6 +101,8 @@ bool kiosk_staff(const struct kiosk *kiosk);
 /* The staff wants to leave. */
 bool kiosk_leaves(const struct kiosk *kiosk);
 const char *kiosk_state(const struct kiosk *kiosk); /* "attract", "painting", ... */
-uint32_t kiosk_visits(const struct kiosk *kiosk);   /* begun */
+/* Whether what is on the sheet is a visitor's. */
+bool kiosk_is_visited(const struct kiosk *kiosk);
+uint32_t kiosk_visits(const struct kiosk *kiosk); /* begun */
 
 #endif

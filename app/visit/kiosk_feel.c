@@ -119,15 +119,15 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
 {
     struct hud_press press;
     bool pressed = false;
+    if (is_finger(event)) {
+        staff_feel(&kiosk->staff, event);
+    }
     if (kiosk->dark) {
         feel_dark(kiosk, event, now_us);
         return is_end(event);
     }
     if (!swallow_pass(&kiosk->swallow, event)) {
         return false;
-    }
-    if (is_finger(event)) {
-        staff_feel(&kiosk->staff, event);
     }
     bool palette = is_finger(event) && hud_feel(&kiosk->hud, event, &press, &pressed);
     if (kiosk_is_input(kiosk, event)) {
@@ -168,11 +168,12 @@ static void post_verb(struct kiosk *kiosk, enum action_verb verb, int visitor, u
 }
 
 /* What is chosen on a palette, for the controls. */
-static void choose(struct kiosk *kiosk, int seat)
+void kiosk_choose(struct kiosk *kiosk, int seat)
 {
+    const struct hud_panel *panel = &kiosk->hud.panels[seat];
     if (kiosk->controls) {
-        controls_set_tool(kiosk->controls, seat, (enum exhibit_tool)kiosk->hud.panels[seat].tool);
-        controls_set_ink(kiosk->controls, seat, kiosk->hud.panels[seat].ink);
+        controls_set_tool(kiosk->controls, seat, (enum exhibit_tool)panel->tool);
+        controls_set_ink(kiosk->controls, seat, panel->any_ink ? -1 : panel->ink);
     }
 }
 
@@ -181,7 +182,7 @@ void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t no
     switch (press->kind) {
     case HUD_INK:
     case HUD_TOOL:
-        choose(kiosk, press->seat);
+        kiosk_choose(kiosk, press->seat);
         break;
     case HUD_UNDO:
         post_verb(kiosk, ACTION_UNDO, press->seat + 1, press->time_us);
@@ -243,9 +244,8 @@ void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
         visit_feel(&kiosk->visit, VISIT_STAFF, now_us);
         break;
     case WISH_NEXT_TOOL:
-        kiosk->hud.panels[seat].tool = next_tool(kiosk, kiosk->hud.panels[seat].tool);
-        hud_layout(&kiosk->hud);
-        choose(kiosk, seat);
+        hud_choose(&kiosk->hud, seat, next_tool(kiosk, kiosk->hud.panels[seat].tool), -1);
+        kiosk_choose(kiosk, seat);
         break;
     case WISH_NEXT_SCENE:
         visit_feel(&kiosk->visit, VISIT_SCENE, now_us);

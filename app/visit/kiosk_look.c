@@ -7,7 +7,7 @@
 
 enum { INVITE_US = 5000000, CURSORS = 8 };
 
-static const float LINE_MM = 1.2f, DWELT_SHOWN = 0.15f;
+static const float LINE_MM = 1.2f, DWELT_SHOWN = 0.15f, SLIDE_FADE_S = 1.5f;
 
 /* Puts a piece's image with its middle at x, y. */
 static void put_middle(struct kiosk *kiosk, int piece, float x, float y, float opacity)
@@ -92,6 +92,23 @@ static void look_at_access(struct kiosk *kiosk)
     }
 }
 
+/* A picture of the gallery comes and goes; nobody waits for it. */
+static void look_at_slide(struct kiosk *kiosk, uint64_t now_us)
+{
+    float lasts = kiosk->exhibit->gallery.slides, gone = 1e-6f * (float)(now_us - kiosk->slide_us);
+    float fade = fminf(fminf(gone, lasts - gone) / SLIDE_FADE_S, 1);
+    if (kiosk->slide_us == 0) {
+        return;
+    }
+    if (gone >= lasts) {
+        kiosk->slide_us = 0;
+        hud_image_finish(&kiosk->images[LOOK_SLIDE]);
+        return;
+    }
+    kiosk->pieces.piece[LOOK_SLIDE] = (struct kiosk_piece){
+        &kiosk->images[LOOK_SLIDE], 0, 0, (float)kiosk->def.width, (float)kiosk->def.height, fmaxf(fade, 0)};
+}
+
 static void look_at_attract(struct kiosk *kiosk, uint64_t now_us)
 {
     struct point at;
@@ -149,6 +166,7 @@ const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
     look_at_dwelling(kiosk, now_us);
     look_at_access(kiosk);
     if (kiosk->visit.state == VISIT_ATTRACT) {
+        look_at_slide(kiosk, now_us);
         look_at_attract(kiosk, now_us);
     } else if (kiosk->visit.state == VISIT_THANKS) {
         look_at_sentence(kiosk, TEXT_THANKS);
@@ -156,6 +174,9 @@ const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
         look_at_sentence(kiosk, TEXT_CLOSED);
     } else if (kiosk->visit.state == VISIT_COUNTDOWN) {
         look_at_countdown(kiosk, now_us);
+    }
+    if (kiosk->visit.state != VISIT_ATTRACT) {
+        kiosk->slide_us = 0;
     }
     if (kiosk->hud.status) {
         look_at_status(kiosk);

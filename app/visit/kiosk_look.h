@@ -9,6 +9,7 @@
 #include "hud_draw.h"
 
 enum {
+    LOOK_SLIDE, /* a picture of the gallery, over the whole sheet */
     LOOK_PANEL, /* + seat */
     LOOK_CURSOR = LOOK_PANEL + EXHIBIT_SEATS,
     LOOK_ACROSS = LOOK_CURSOR + 8, /* lines of one-switch play */

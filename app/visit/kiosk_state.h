@@ -28,17 +28,23 @@ struct kiosk {
     struct wash wash;
     struct swallow swallow;
 
-    int sheet;       /* number of the sheet that is meant; what is posted is for it */
-    bool grounded;   /* its ground has been laid */
-    bool attracting; /* it paints itself... */
-    bool begun;      /* ...and has been told what */
-    bool washing;    /* for attract's next painting, or for the visit */
-    int paintings;   /* of attract, in this scene */
+    int sheet;        /* number of the sheet that is meant; what is posted is for it */
+    bool grounded;    /* its ground has been laid */
+    bool attracting;  /* it paints itself... */
+    bool begun;       /* ...and has been told what */
+    bool washing;     /* for attract's next painting, or for the visit */
+    uint32_t painted; /* by attract, in all */
+    bool slide_due;
+    uint64_t slide_us; /* since when one is shown; 0: none is */
+    uint64_t slides;   /* shown so far */
+    int paintings;     /* of attract, in this scene */
     bool leaves;
     bool dark;
     time_t time; /* of the last run */
     struct schedule_answer hours;
-    struct kiosk_hand { /* a finger on the sheet */
+    enum kiosk_hours told; /* from afar */
+    int wanted;            /* scene, 1..; 0: none */
+    struct kiosk_hand {    /* a finger on the sheet */
         bool used;
         int id, seat;
     } hands[KIOSK_HANDS];
@@ -61,6 +67,8 @@ void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us);
 /* Whether an event is something that somebody did. */
 bool kiosk_is_input(struct kiosk *kiosk, const struct event *event);
 
+/* Tells the controls what is chosen on a palette. */
+void kiosk_choose(struct kiosk *kiosk, int seat);
 /* Tells the palettes which hands are busy. */
 void kiosk_busy(struct kiosk *kiosk, uint64_t now_us);
 

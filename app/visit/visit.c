@@ -217,7 +217,7 @@ static bool hands(struct visit *visit, enum visit_event event)
 /* What is felt while the staff looks. */
 static void feel_status(struct visit *visit, enum visit_event event)
 {
-    if (event == VISIT_INPUT || event == VISIT_PAINT || event == VISIT_HOLD) {
+    if (event == VISIT_INPUT || event == VISIT_PAINT) { /* a hand that rests there does not keep it */
         visit->status_touched_us = visit->now_us;
     } else if (event == VISIT_WASHED) {
         follow(visit, event);
@@ -307,6 +307,19 @@ void visit_init(struct visit *visit, const struct exhibit *exhibit, uint64_t now
     take_times(visit, exhibit);
     order(visit, ORDER_SHEET, true);
     order(visit, ORDER_ATTRACT, true);
+}
+
+void visit_resume(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us)
+{
+    *visit = (struct visit){.state = VISIT_PAINTING,
+                            .now_us = now_us,
+                            .since_us = now_us,
+                            .input_us = now_us,
+                            .alive_us = now_us,
+                            .painted = true,
+                            .visits = 1};
+    take_times(visit, exhibit);
+    order(visit, ORDER_PALETTE, true);
 }
 
 void visit_reload(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us)

@@ -98,6 +98,8 @@ struct visit {
 
 /* In attract, with the orders for that. */
 void visit_init(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us);
+/* The same, in the middle of a visit that was cut off: there is a painting already. */
+void visit_resume(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us);
 /* Feels VISIT_RELOAD with the times of another exhibit. */
 void visit_reload(struct visit *visit, const struct exhibit *exhibit, uint64_t now_us);
 /* Events out of range are nothing. */

@@ -46,7 +46,7 @@ present() {
 }
 
 # Help and version: on stdout, status 0.
-for command in run render check explain devices grow; do
+for command in run render replay check explain devices grow; do
     expect 0 "$command" --help
     quiet
     head -n 1 out.txt | grep -q "^usage: frond $command" || fail "$last: no usage"
@@ -254,7 +254,7 @@ schedule:
   - {days: mon-fri, open: 9, close: "18:00"}
 END
 expect 1 check exhibit/e.yaml
-says "exhibit/e.yaml:2:1: titel: unknown key; did you mean title? One of exhibit, title, display, sheet, engine, languages, texts, palettes, scenes, pictures, sessions, palette, seats, inputs, visit, access, schedule, wake, gallery, staff
+says "exhibit/e.yaml:2:1: titel: unknown key; did you mean title? One of exhibit, title, display, sheet, engine, languages, texts, palettes, scenes, pictures, sessions, palette, seats, inputs, visit, access, schedule, wake, gallery, staff, mqtt
 exhibit/e.yaml:3:30: sheet.seed: -1 is out of range; 0 to 2147483647
 exhibit/e.yaml:5:25: scenes[0].palette: unknown palette 'reaf'; did you mean reef? One of reef, garden, dusk, earth, press, harbour, kingfisher, lantern
 exhibit/e.yaml:5:38: scenes[0].guide: '../a.png' leads out of this file's folder; a picture lies in it or below

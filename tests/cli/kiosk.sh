@@ -69,4 +69,40 @@ kill -TERM "$running"
 wait "$running" || fail "it ended with status $?"
 running=
 
+# A service never ends by its exhibit: one that is wrong or not there is waited for. Its status stands in files while it
+# runs, and its log has levels where it goes to the journal.
+rm -f own.yaml
+mkdir -p status
+: >err.txt
+JOURNAL_STREAM=$(stat -c %d:%i err.txt) RUNTIME_DIRECTORY=$work/status timeout 120 "$frond" run own.yaml --standby \
+    --display headless --mode 320x200 --engine cpu --state "$work/state" >out.txt 2>>err.txt </dev/null &
+running=$!
+wait_for "^<4>the exhibit cannot be shown" 100
+wait_for "^<4>own.yaml: cannot be read: No such file" 50
+left=100
+until grep -q '"exhibit_wrong":true' status/status.json 2>/dev/null; do
+    left=$((left - 1))
+    [ "$left" -gt 0 ] || {
+        fail "no status says that the exhibit is wrong"
+        break
+    }
+    sleep 0.1
+done
+printf 'exhibit: 1\nscenes: [{id: dawn}]\n' >own.yaml
+wait_for "^<6>own.yaml: taken up" 50
+left=100
+until grep -q '"scene":"dawn"' status/status.json && grep -q '^frond_exhibit_wrong 0' status/frond.prom; do
+    left=$((left - 1))
+    [ "$left" -gt 0 ] || {
+        fail "no status says that it is mended"
+        break
+    }
+    sleep 0.1
+done
+[ "$(stat -c %a status/status.json status/frond.prom | sort -u)" = 644 ] || fail "not everybody may read the status"
+kill -TERM "$running"
+wait "$running" || fail "it ended with status $?"
+running=
+[ -z "$(ls status)" ] || fail "what has ended still has a status"
+
 [ "$failures" -eq 0 ]

@@ -111,3 +111,21 @@ bool journal_case_same(const struct action *a, const struct action *b)
     }
     return same;
 }
+
+bool journal_case_same_sheet(const struct journal_sheet *a, const struct journal_sheet *b)
+{
+    const struct painting_def *one = &a->def, *other = &b->def;
+    bool same = one->width == other->width && one->height == other->height && one->margin == other->margin &&
+                one->seed == other->seed && a->mode == b->mode && a->ink_count == b->ink_count &&
+                strcmp(a->scene, b->scene) == 0;
+    for (const struct key *key = coefficient_keys; key->name; key++) {
+        const char *left = (const char *)&one->coefficients + key->offset;
+        same = same && memcmp(left, (const char *)&other->coefficients + key->offset, sizeof(float)) == 0;
+    }
+    for (int i = 0; i < a->ink_count; i++) {
+        same = same && a->inks[i] == b->inks[i];
+    }
+    return same && a->history.bytes == b->history.bytes && a->history.interval == b->history.interval &&
+           a->history.tiles_a_tick == b->history.tiles_a_tick && a->history.age == b->history.age &&
+           a->history.levels == b->history.levels && a->history.pause == b->history.pause;
+}

@@ -16,6 +16,8 @@ struct journal_case_values {
 };
 struct action journal_case_action(enum action_verb verb, int seed, struct journal_case_values *values);
 
+/* Whether they are one sheet, as far as a journal knows it. */
+bool journal_case_same_sheet(const struct journal_sheet *a, const struct journal_sheet *b);
 /* Whether they are one action: every parameter, every point and every value of a raster, to the bit. */
 bool journal_case_same(const struct action *a, const struct action *b);
 

@@ -21,9 +21,14 @@ void keep_case_tick(struct keep_case *one);
 /* A fresh sheet. */
 void keep_case_fresh(struct keep_case *one);
 uint64_t keep_case_hash(const struct keep_case *one);
-/* The hash of the sheet after so many ticks, painted without any keeping; `acted`: and what happens then. */
-uint64_t keep_case_expected(int64_t ticked, bool acted);
+/* The hashes of the sheet at each tick, painted without any keeping: before what happens then, and after. */
+enum { KEEP_CASE_TICKS = 720 };
+struct keep_case_table {
+    bool painted;
+    uint64_t before[KEEP_CASE_TICKS], after[KEEP_CASE_TICKS];
+};
+bool keep_case_paint(struct keep_case_table *table); /* once; later it does nothing */
 /* Whether it is the painting of its tick, before or after what happens then, which sets `acted`. */
-bool keep_case_is_right(struct keep_case *one);
+bool keep_case_is_right(struct keep_case *one, const struct keep_case_table *table);
 
 #endif

@@ -89,12 +89,7 @@ static struct controls *controls_of(const struct exhibit *exhibit, struct inputs
     return controls;
 }
 
-struct hall *hall_open(const char *yaml)
-{
-    return hall_open_sized(yaml, HALL_WIDTH, HALL_HEIGHT);
-}
-
-struct hall *hall_open_sized(const char *yaml, int width, int height)
+static struct hall *open_hall(const char *yaml, int width, int height, bool resume)
 {
     struct hall *hall = calloc(1, sizeof *hall);
     assert_non_null(hall);
@@ -112,11 +107,27 @@ struct hall *hall_open_sized(const char *yaml, int width, int height)
                             .height = height,
                             .seed = 1,
                             .built = 1700000000,
-                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL}};
+                            .resume = resume,
+                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL, NULL}};
     hall->kiosk = kiosk_create(&def, hall->now_us);
     assert_non_null(hall->kiosk);
     kiosk_controls(hall->kiosk, hall->controls);
     return hall;
+}
+
+struct hall *hall_open(const char *yaml)
+{
+    return open_hall(yaml, HALL_WIDTH, HALL_HEIGHT, false);
+}
+
+struct hall *hall_open_sized(const char *yaml, int width, int height)
+{
+    return open_hall(yaml, width, height, false);
+}
+
+struct hall *hall_open_resumed(const char *yaml)
+{
+    return open_hall(yaml, HALL_WIDTH, HALL_HEIGHT, true);
 }
 
 void hall_close(struct hall *hall)

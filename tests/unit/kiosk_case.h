@@ -39,6 +39,7 @@ struct hall {
 
 /* The exhibit is one in YAML with inputs; it must be right. HALL_WIDTH x HALL_HEIGHT. */
 struct hall *hall_open(const char *yaml);
+struct hall *hall_open_resumed(const char *yaml); /* in the middle of a visit */
 struct hall *hall_open_sized(const char *yaml, int width, int height);
 void hall_close(struct hall *hall);
 struct exhibit *hall_exhibit(const char *yaml);

@@ -285,6 +285,8 @@ static void other_inputs_have_another_mark(void **state)
     assert_true(mark == mark_of("exhibit: 1\nwake: 5\ninputs:\n  bindings:\n    - {touch: tap, drop: {ink: ochre}}\n"));
     assert_true(mark != mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {ink: turquoise}}]}\n"));
     assert_true(mark != mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {}}]}\n"));
+    assert_true(mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {radius: 8}}]}\n") !=
+                mark_of("exhibit: 1\ninputs: {bindings: [{touch: tap, drop: {radius: 9}}]}\n"));
     assert_true(mark != mark_of("exhibit: 1\nscenes: [{id: a, inks: [ochre, cyan]}]\n"
                                 "inputs: {bindings: [{touch: tap, drop: {ink: ochre}}]}\n"));
 }
@@ -364,7 +366,7 @@ static void every_row_is_whole(void **state)
             assert_true(section || (key->type == KEY_CHOICE) == (key->choices != NULL));
         }
     }
-    assert_int_equal(tables, 13);
+    assert_int_equal(tables, 14);
 }
 
 static int make_folder(void **state)

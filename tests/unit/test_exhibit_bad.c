@@ -15,7 +15,7 @@
 
 #define EXHIBIT_KEYS                                                                                                   \
     "exhibit, title, display, sheet, engine, languages, texts, palettes, scenes, pictures, sessions, palette, seats, " \
-    "inputs, visit, access, schedule, wake, gallery, staff"
+    "inputs, visit, access, schedule, wake, gallery, staff, mqtt"
 #define TEXT_KEYS                                                                                                      \
     "invite, inks, drop, brush, guide, pour, mask, rewind, undo, redo, finish, hand, seated, language, countdown, "    \
     "stay, thanks, closed"
@@ -404,6 +404,14 @@ static const struct script_case BAD[] = {
            "schedule:\n"
            "  - {days: sat, open: 9:00}\n"),
      "s.yaml:3:5: schedule[0].close: missing; a time of day, 0:00 to 24:00\n"},
+    {"a broker whose files are elsewhere, and names that are no part of a topic",
+     BYTES("exhibit: 1\n"
+           "mqtt: {host: a, topic: \"a/#\", name: b/c, group: \"+\", ca: /etc/ca.pem, key: ../key}\n"),
+     "s.yaml:2:24: mqtt.topic: 'a/#' is no part of a topic; a text without + and #\n"
+     "s.yaml:2:37: mqtt.name: 'b/c' is no part of a topic; a text without /, + and #\n"
+     "s.yaml:2:49: mqtt.group: '+' is no part of a topic; a text without /, + and #\n"
+     "s.yaml:2:58: mqtt.ca: '/etc/ca.pem' is not beside this file; a path without .. and without / before it\n"
+     "s.yaml:2:76: mqtt.key: '../key' is not beside this file; a path without .. and without / before it\n"},
     {"a gallery elsewhere",
      BYTES("exhibit: 1\n"
            "gallery: {folder: ../pictures, pictures: 0}\n"),

@@ -87,6 +87,8 @@ static void a_panel_is_drawn_anew_when_it_changes(void **state)
     open_hud(&hud, &place, 1, SIDE_OF_LEFT, 0);
     struct hud_panel *panel = &hud.panels[0];
     assert_true(redrawn(&hud, &image));
+    panel->any_ink = false;
+    assert_true(redrawn(&hud, &image));
     panel->ink = 1;
     assert_true(redrawn(&hud, &image));
     panel->tool = TOOL_GUIDE;
@@ -195,6 +197,7 @@ static void what_is_chosen_is_unmistakable(void **state)
     open_hud(&hud, &place, 1, SIDE_OF_BOTTOM, 0);
     hud.panels[0].tool = TOOL_POUR;
     hud.panels[0].ink = 2;
+    hud.panels[0].any_ink = false;
     hud_draw_panel(&hud, 0, &image);
     for (int tool = 0; tool < TOOLS; tool++) {
         double dark = button_darkness(&hud, &image, find(&hud, HUD_TOOL, tool), 0, 1);

@@ -19,17 +19,22 @@
 
 #include "image.h"
 
-enum { FILES = 300, THREADS = 2, SIZE_MAX_BYTES = 4096, HEADER = 64 };
+enum { FILES = 320, LEAST = 300, THREADS = 2, SIZE_MAX_BYTES = 4096, HEADER = 64 };
 
 static const char *const samples[] = {
     "rgb.png",  "alpha.png", "progressive.jpg", "turned.jpg", "rgb.tif",
     "half.exr", "tiled.exr", "lossless.webp",   "lossy.webp", "tiled.tif",
 };
 
+/* All that are admitted. */
+static const char *const formats[] = {".png", ".jpg", ".tif", ".webp", ".exr"};
+enum { FORMATS = sizeof formats / sizeof formats[0], SHARE = 60 /* of each, at least */ };
+
 struct tally {
     pthread_t thread;
     int first; /* this one and every THREADS-th after it */
     int pictures, errors;
+    int by_format[FORMATS];           /* read, well or not */
     char wrong[FILE_ERROR_TEXT + 64]; /* empty: all well */
 };
 
@@ -69,11 +74,16 @@ static void change(uint8_t *bytes, size_t *size, int number)
     }
 }
 
+static const char *sample_of(int number)
+{
+    return samples[number % (int)(sizeof samples / sizeof samples[0])];
+}
+
 static bool make_broken(const char *path, int number)
 {
     uint8_t bytes[SIZE_MAX_BYTES];
     char sample[512];
-    snprintf(sample, sizeof sample, IMAGE_SAMPLES "/%s", samples[number % (int)(sizeof samples / sizeof samples[0])]);
+    snprintf(sample, sizeof sample, IMAGE_SAMPLES "/%s", sample_of(number));
     FILE *file = fopen(sample, "rb");
     if (!file) {
         return false;
@@ -120,6 +130,9 @@ static void *read_broken(void *argument)
         bool read = image_read(path, &def, &image, &error);
         remove(path);
         read ? tally->pictures++ : tally->errors++;
+        for (int i = 0; i < FORMATS; i++) {
+            tally->by_format[i] += strstr(sample_of(number), formats[i]) != NULL;
+        }
         bool told = strncmp(error.text, path, strlen(path)) == 0 && strlen(error.text) > strlen(path) + 4;
         bool helper_failed = strstr(error.text, "helper") || strstr(error.text, "what it may not");
         if (!sound(&image) || read == told || helper_failed) {
@@ -150,7 +163,7 @@ static void survives_broken_pictures(void **state)
     assert_int_equal(chdir(folder), 0);
     int before = open_descriptors();
     struct tally tallies[THREADS] = {0};
-    int pictures = 0, errors = 0;
+    int pictures = 0, errors = 0, by_format[FORMATS] = {0};
     for (int i = 0; i < THREADS; i++) {
         tallies[i].first = i;
         assert_int_equal(pthread_create(&tallies[i].thread, NULL, read_broken, &tallies[i]), 0);
@@ -159,6 +172,9 @@ static void survives_broken_pictures(void **state)
         assert_int_equal(pthread_join(tallies[i].thread, NULL), 0);
         pictures += tallies[i].pictures;
         errors += tallies[i].errors;
+        for (int k = 0; k < FORMATS; k++) {
+            by_format[k] += tallies[i].by_format[k];
+        }
     }
     assert_int_equal(chdir("/"), 0);
     for (int i = 0; i < THREADS; i++) {
@@ -170,6 +186,11 @@ static void survives_broken_pictures(void **state)
     assert_int_equal(errno, ECHILD);
     print_message("%d pictures, %d errors\n", pictures, errors);
     assert_int_equal(pictures + errors, FILES);
+    assert_in_range(pictures + errors, LEAST, FILES);
+    for (int i = 0; i < FORMATS; i++) {
+        print_message("%s %d\n", formats[i], by_format[i]);
+        assert_in_range(by_format[i], SHARE, FILES);
+    }
     assert_in_range(errors, FILES / 4, FILES - FILES / 10);
 }
 

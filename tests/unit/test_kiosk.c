@@ -100,6 +100,32 @@ static void the_palette_chooses_and_undoes_for_its_seat(void **state)
     hall_close(hall);
 }
 
+static void every_finger_takes_the_next_ink_until_one_is_chosen(void **state)
+{
+    (void)state;
+    char yaml[2000];
+    snprintf(yaml, sizeof yaml, "%s", PLAIN);
+    memcpy(strstr(yaml, "visitors: shared"), "visitors: each  ", 16);
+    struct hall *hall = hall_open(yaml);
+    struct point at;
+    for (int i = 0; i < 3; i++) {
+        int before = hall->count;
+        hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
+        for (int k = before; k < hall->count; k++) {
+            assert_true(hall->told[k].verb != ACTION_DROP || hall->told[k].ink == i);
+        }
+        hall_wait(hall, 1);
+    }
+    hall_wait(hall, 3);
+    assert_true(hall_find(hall, 0, HUD_INK, 1, &at));
+    hall_tap(hall, at.x, at.y, 0.1);
+    for (int i = 0; i < 3; i++) {
+        hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
+        assert_int_equal(hall->told[hall->count - 1].ink, 1);
+    }
+    hall_close(hall);
+}
+
 static void a_visitor_finishes_is_thanked_and_the_next_starts_white(void **state)
 {
     (void)state;
@@ -236,6 +262,46 @@ static void one_switch_paints_where_the_lines_cross(void **state)
     hall_close(hall);
 }
 
+static void a_finished_picture_is_shown_between_two_paintings_until_somebody_comes(void **state)
+{
+    (void)state;
+    struct hall *hall = hall_open(PLAIN);
+    int wanted = 0;
+    for (int second = 0; second < 70 && wanted == 0; second++) {
+        hall_wait(hall, 1);
+        wanted += kiosk_wants_slide(hall->kiosk);
+    }
+    assert_int_equal(wanted, 1);
+    assert_false(kiosk_wants_slide(hall->kiosk)); /* once for each time */
+    kiosk_slide(hall->kiosk, calloc(4, 4), 2, 2, hall->now_us);
+    hall_wait(hall, 0.5);
+    float early = kiosk_look(hall->kiosk, hall->now_us)->piece[LOOK_SLIDE].opacity;
+    hall_wait(hall, 3);
+    assert_true(early > 0 && early < 0.5f); /* it comes slowly */
+    assert_float_equal(kiosk_look(hall->kiosk, hall->now_us)->piece[LOOK_SLIDE].opacity, 1, 0);
+    hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
+    assert_float_equal(kiosk_look(hall->kiosk, hall->now_us)->piece[LOOK_SLIDE].opacity, 0, 0);
+    kiosk_slide(hall->kiosk, calloc(4, 4), 2, 2, hall->now_us); /* one that was read too late */
+    assert_float_equal(kiosk_look(hall->kiosk, hall->now_us)->piece[LOOK_SLIDE].opacity, 0, 0);
+    hall_close(hall);
+}
+
+static void a_visit_that_was_cut_off_goes_on(void **state)
+{
+    (void)state;
+    struct hall *hall = hall_open_resumed(PLAIN);
+    assert_string_equal(kiosk_state(hall->kiosk), "painting");
+    hall_wait(hall, 1);
+    assert_int_equal(hall_count(hall, 0, HALL_FRESH, ACTION_VERBS), 0); /* the painting stays */
+    assert_int_equal(hall_count(hall, 0, HALL_POST, ACTION_VERBS), 0);
+    assert_true(kiosk_is_visited(hall->kiosk));
+    hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
+    assert_int_equal(hall_painted(hall, 0, ACTION_DROP), 1);
+    hall_wait(hall, 45);
+    assert_int_equal(hall_count(hall, 0, HALL_KEEP, ACTION_VERBS), 1);
+    hall_close(hall);
+}
+
 static void another_exhibit_takes_over_while_somebody_paints(void **state)
 {
     (void)state;
@@ -256,6 +322,7 @@ static void another_exhibit_takes_over_while_somebody_paints(void **state)
     assert_int_equal(hall_count(hall, before, HALL_FRESH, ACTION_VERBS), 0); /* the painting stays */
     exhibit_destroy(old);
     assert_string_equal(kiosk_state(hall->kiosk), "painting");
+    assert_true(hall->kiosk->hud.shown); /* what was shown and chosen stays */
     event.kind = EVENT_MOVE;
     for (int i = 0; i < 30; i++) {
         event.x += 0.01f;
@@ -280,6 +347,37 @@ static float share(uint32_t *seed)
 }
 
 /* Crowds with pauses, for hours: everything that begins ends, and nothing is stuck. */
+static void scenes_and_hours_come_from_afar(void **state)
+{
+    char yaml[1200];
+    (void)state;
+    snprintf(yaml, sizeof yaml, "%s%s", PLAIN, "scenes: [{id: one}, {id: two}, {id: three}]\n");
+    struct hall *hall = hall_open(yaml);
+    hall_wait(hall, 1);
+    assert_false(kiosk_want_scene(hall->kiosk, "none"));
+    assert_true(kiosk_want_scene(hall->kiosk, "three"));
+    hall_wait(hall, 20); /* it is washed first */
+    assert_string_equal(kiosk_scene(hall->kiosk)->id, "three");
+    assert_ptr_equal(hall->script, kiosk_scene(hall->kiosk)->script);
+    int before = hall->count; /* somebody paints: what is wanted waits for attract */
+    hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
+    assert_true(kiosk_want_scene(hall->kiosk, "two"));
+    hall_wait(hall, 3);
+    assert_string_equal(kiosk_scene(hall->kiosk)->id, "three");
+    assert_int_equal(hall_count(hall, before, HALL_CHANGE, ACTION_VERBS), 0);
+    hall_wait(hall, 120);
+    assert_true(hall_count(hall, before, HALL_CHANGE, ACTION_VERBS) > 0);
+    kiosk_keep_hours(hall->kiosk, KIOSK_CLOSED);
+    hall_wait(hall, 20);
+    assert_string_equal(kiosk_state(hall->kiosk), "closed");
+    assert_true(hall->dark);
+    kiosk_keep_hours(hall->kiosk, KIOSK_BY_SCHEDULE);
+    hall_wait(hall, 3);
+    assert_string_equal(kiosk_state(hall->kiosk), "attract");
+    assert_false(hall->dark);
+    hall_close(hall);
+}
+
 static void hours_of_visitors_leave_it_as_it_was(void **state)
 {
     (void)state;
@@ -313,12 +411,16 @@ int main(void)
         cmocka_unit_test(a_first_touch_falls_on_a_fresh_sheet_in_the_same_turn),
         cmocka_unit_test(an_idle_visit_is_counted_down_kept_washed_and_forgotten),
         cmocka_unit_test(the_palette_chooses_and_undoes_for_its_seat),
+        cmocka_unit_test(every_finger_takes_the_next_ink_until_one_is_chosen),
         cmocka_unit_test(a_visitor_finishes_is_thanked_and_the_next_starts_white),
         cmocka_unit_test(staff_look_at_the_status_and_leave),
         cmocka_unit_test(at_night_it_is_dark_and_a_waking_touch_does_not_paint),
         cmocka_unit_test(what_is_let_go_in_the_dark_is_not_stuck_in_the_morning),
         cmocka_unit_test(one_switch_paints_where_the_lines_cross),
+        cmocka_unit_test(a_finished_picture_is_shown_between_two_paintings_until_somebody_comes),
+        cmocka_unit_test(a_visit_that_was_cut_off_goes_on),
         cmocka_unit_test(another_exhibit_takes_over_while_somebody_paints),
+        cmocka_unit_test(scenes_and_hours_come_from_afar),
         cmocka_unit_test(hours_of_visitors_leave_it_as_it_was),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -11,6 +11,7 @@
 #include <time.h>
 
 #include "display.h"
+#include "easel.h"
 #include "player.h"
 #include "recorder.h"
 #include "studio.h"
@@ -188,8 +189,9 @@ static void paint(struct place *place, const struct checkpoint *from)
 static uint64_t play(const struct place *place, int threads, bool dense, struct player *player)
 {
     struct easel easel = {.def = {.engine = ENGINE_CPU, .threads = threads, .dense = dense}};
+    struct player_maker maker = {easel_make, &easel};
     struct file_error error;
-    if (!player_open(player, place->writer.out.data, place->writer.out.size, &easel, &error)) {
+    if (!player_open(player, place->writer.out.data, place->writer.out.size, &maker, &error)) {
         fail_msg("%s", error.text);
     }
     while (player_tick(player, &error)) {
@@ -198,7 +200,6 @@ static uint64_t play(const struct place *place, int threads, bool dense, struct 
     assert_int_equal(player->ticked, TICKS);
     assert_int_equal(player->reader.ending, JOURNAL_ENDS);
     uint64_t hash = painting_hash(engine_cpu_painting(player->engine));
-    player->easel = NULL;
     return hash;
 }
 

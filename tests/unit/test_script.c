@@ -371,11 +371,12 @@ static void test_missing_file(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_drop),      cmocka_unit_test(test_two_drops),    cmocka_unit_test(test_guided),
-        cmocka_unit_test(a_visitor_stands_beside_the_verb),
-        cmocka_unit_test(test_defaults),      cmocka_unit_test(test_order),        cmocka_unit_test(test_set),
-        cmocka_unit_test(test_guide_formula), cmocka_unit_test(test_pictures),     cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_hostile),       cmocka_unit_test(test_missing_file),
+        cmocka_unit_test(test_one_drop), cmocka_unit_test(test_two_drops),
+        cmocka_unit_test(test_guided),   cmocka_unit_test(a_visitor_stands_beside_the_verb),
+        cmocka_unit_test(test_defaults), cmocka_unit_test(test_order),
+        cmocka_unit_test(test_set),      cmocka_unit_test(test_guide_formula),
+        cmocka_unit_test(test_pictures), cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_hostile),  cmocka_unit_test(test_missing_file),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -385,6 +385,7 @@ static void the_staffs_view_goes_by_itself(void **state)
     struct visit visit = in_state(VISIT_ATTRACT, true, 0, &now);
     visit_feel(&visit, VISIT_STAFF, now);
     visit_feel(&visit, VISIT_CLOSE, now); /* waits until the staff have seen enough */
+    visit_feel(&visit, VISIT_HOLD, now + 100 * S);
     visit_run(&visit, now + VISIT_STATUS_S * S - 1);
     assert_string_equal(orders(&visit, text), "status+");
     visit_run(&visit, now + VISIT_STATUS_S * S);

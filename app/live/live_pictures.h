@@ -1,0 +1,27 @@
+/* Stock pictures of an exhibit's folder, one after the other, as fields along whose edges what paints itself grows.
+ * Each is read on a thread of its own, through the image helper; one that cannot be read is a line for the log, once,
+ * and the next one comes. */
+#ifndef FROND_LIVE_PICTURES_H
+#define FROND_LIVE_PICTURES_H
+
+#include <stdbool.h>
+
+#include "action.h"
+#include "exhibit.h"
+
+enum { LIVE_PICTURES_KEPT = 4 }; /* fields that stay good */
+
+struct live_pictures;
+
+/* NULL when memory is short. */
+struct live_pictures *live_pictures_create(const struct exhibit *exhibit);
+/* Waits for what is being read. Takes NULL. */
+void live_pictures_destroy(struct live_pictures *pictures);
+/* Another exhibit, or the same folder with other pictures in it; fields given out stay good. */
+void live_pictures_set(struct live_pictures *pictures, const struct exhibit *exhibit);
+/* The next one as ACTION_GUIDE; its field is good until LIVE_PICTURES_KEPT more have been given. False: none is ready,
+ * or there are none. */
+bool live_pictures_next(struct live_pictures *pictures, struct action *guide);
+bool live_pictures_log(struct live_pictures *pictures, char *line, int size);
+
+#endif

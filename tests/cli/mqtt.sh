@@ -1,0 +1,181 @@
+#!/bin/sh
+# A kiosk and a real broker (Mosquitto) on loopback, with TLS by a certificate authority that lives as long as this test:
+# status, heartbeat and last will; a scene and opening hours from afar; wrong credentials and certificates, and a broker
+# that goes and comes. mqtt.sh FROND
+set -u
+frond=$(realpath "$1") || exit 1
+PATH=$PATH:/usr/sbin
+for program in mosquitto openssl; do
+    command -v "$program" >/dev/null || {
+        echo "SKIPPED: no $program"
+        exit 77
+    }
+done
+strings "$frond" 2>/dev/null | grep -q "built without MQTT" && {
+    echo "SKIPPED: built without MQTT"
+    exit 77
+}
+work=$(mktemp -d) || exit 1
+broker= running=
+trap '[ -z "$running$broker" ] || kill $running $broker 2>/dev/null; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+fail() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$1"
+    sed 's/^/  frond: /' err.txt
+    sed 's/^/  broker: /' broker.log | tail -n 12
+}
+
+# Waits for a line in a file, for at most so many tenths of a second.
+wait_for() {
+    left=$3
+    until grep -q -- "$1" "$2" 2>/dev/null; do
+        left=$((left - 1))
+        [ "$left" -gt 0 ] || {
+            fail "$2 never said: $1"
+            return 1
+        }
+        sleep 0.1
+    done
+}
+
+# An authority, the broker's certificate and the kiosk's.
+authority() { # authority NAME
+    openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -days 2 -subj "/CN=$1" -keyout "$1.key" \
+        -out "$1.pem" 2>/dev/null
+}
+certificate() { # certificate NAME COMMON-NAME
+    printf 'subjectAltName=DNS:localhost,IP:127.0.0.1\n' >ext
+    openssl req -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -subj "/CN=$2" -keyout "$1.key" -out "$1.csr" 2>/dev/null &&
+        openssl x509 -req -in "$1.csr" -CA ca.pem -CAkey ca.key -CAcreateserial -days 2 -extfile ext -out "$1.pem" 2>/dev/null
+}
+authority ca && authority other && certificate broker localhost && certificate hall hall || fail "no certificates"
+mosquitto_passwd -c -b passwords hall secret 2>/dev/null || fail "no password file"
+mosquitto_passwd -b passwords staff secret
+printf 'hall\nsecret\n' >hall.txt
+printf 'hall\nwrong\n' >wrong.txt
+chmod 644 ./*
+
+port=$((20000 + $$ % 20000))
+cat >broker.conf <<CONF
+listener $port 127.0.0.1
+cafile $work/ca.pem
+certfile $work/broker.pem
+keyfile $work/broker.key
+require_certificate true
+allow_anonymous false
+password_file $work/passwords
+log_dest stderr
+log_type all
+user root
+CONF
+begin_broker() {
+    mosquitto -c broker.conf >>broker.log 2>&1 &
+    broker=$!
+}
+client() { # client PROGRAM ARGUMENTS: as the staff does it
+    program=$1
+    shift
+    timeout 10 "$program" -h localhost -p "$port" --cafile ca.pem --cert hall.pem --key hall.key -u staff -P secret "$@"
+}
+if ! command -v mosquitto_sub >/dev/null; then
+    echo "SKIPPED: no mosquitto_sub: apt-get install mosquitto-clients"
+    exit 77
+fi
+exhibit() { # exhibit CREDENTIALS CA
+    cat >own.yaml.new <<YAML
+exhibit: 1
+visit: {attract: 1800, wash: 1}
+scenes: [{id: dawn}, {id: dusk}]
+mqtt: {host: localhost, port: $port, topic: museum/frond, name: hall, group: all, every: 5, ca: $2, certificate: hall.pem,
+  key: hall.key, credentials: $1}
+YAML
+    mv own.yaml.new own.yaml
+}
+
+: >err.txt
+: >broker.log
+exhibit wrong.txt ca.pem
+"$frond" check own.yaml || fail "the exhibit is wrong"
+timeout 100 "$frond" run own.yaml --display headless --mode 160x100 --engine cpu --full --rate 240 --state state >out.txt 2>err.txt </dev/null &
+running=$!
+# No broker yet: said, and nothing else comes of it.
+wait_for "broker localhost: cannot be reached" err.txt 100
+begin_broker
+# A wrong password, then an authority that has not signed it, then all is well: as the exhibit is edited.
+wait_for "broker localhost: refuses: " err.txt 100
+exhibit hall.txt other.pem
+wait_for "own.yaml: taken up" err.txt 100
+wait_for "broker localhost: .*TLS" err.txt 100
+wait_for "certificate verify failed\|unknown ca\|bad certificate" broker.log 50
+grep -q "broker localhost: connected" err.txt && fail "it talks to a broker that a stranger has signed"
+exhibit hall.txt ca.pem
+wait_for "broker localhost: connected" err.txt 150
+
+# Status and heartbeat.
+[ "$(client mosquitto_sub -t museum/frond/hall/alive -C 1)" = 1 ] || fail "it is not alive"
+client mosquitto_sub -t museum/frond/hall/status -C 1 >status.json
+grep -q '"state":"attract"' status.json || fail "no status: $(cat status.json)"
+grep -q '"scene":"dawn"' status.json || fail "no scene"
+python3 -c 'import json; json.load(open("status.json"))' || fail "it is no JSON"
+client mosquitto_sub -t museum/frond/hall/status -R -C 1 >again.json # a new one, not the retained one
+grep -q '"uptime_s"' again.json || fail "no heartbeat"
+
+# A scene for the group, and one that is not there; hours.
+client mosquitto_pub -t museum/frond/all/scene -m noon
+wait_for "says what is not known here, 'noon'" err.txt 50
+client mosquitto_pub -t museum/frond/all/scene -m dusk
+wait_for "museum/frond/all/scene says 'dusk'" err.txt 50
+client mosquitto_pub -t museum/frond/hall/hours -m closed
+wait_for "visit [0-9]*: closed" err.txt 50
+client mosquitto_pub -t museum/frond/hall/hours -m schedule
+left=40
+until [ "$(grep -c 'visit [0-9]*: attract' err.txt)" -ge 2 ]; do
+    left=$((left - 1))
+    [ "$left" -gt 0 ] || {
+        fail "it stays closed"
+        break
+    }
+    sleep 0.1
+done
+left=20
+until client mosquitto_sub -t museum/frond/hall/status -C 1 | grep -q '"scene":"dusk"'; do
+    left=$((left - 1))
+    [ "$left" -gt 0 ] || {
+        fail "the scene stays"
+        break
+    }
+    sleep 0.5
+done
+
+# The broker goes and comes.
+kill "$broker"
+wait "$broker" 2>/dev/null
+wait_for "broker localhost: lost" err.txt 50
+begin_broker
+left=100
+until [ "$(grep -c 'broker localhost: connected' err.txt)" -ge 2 ]; do
+    left=$((left - 1))
+    [ "$left" -gt 0 ] || {
+        fail "it does not come back"
+        break
+    }
+    sleep 0.1
+done
+# Goodbye, and the last will.
+kill -TERM "$running"
+wait "$running" || fail "it ended with status $?"
+running=
+[ "$(client mosquitto_sub -t museum/frond/hall/alive -C 1)" = 0 ] || fail "it is still alive"
+timeout 60 "$frond" run own.yaml --display headless --mode 160x100 --engine cpu --state state >out.txt 2>err.txt </dev/null &
+running=$!
+wait_for "broker localhost: connected" err.txt 100
+sleep 0.3
+kill -KILL "$(pgrep -P "$running" -x frond)" 2>/dev/null || kill -KILL "$running"
+wait "$running" 2>/dev/null
+running=
+sleep 0.5
+[ "$(client mosquitto_sub -t museum/frond/hall/alive -C 1)" = 0 ] || fail "a killed one has left no will"
+grep -q secret err.txt && fail "the log tells the password"
+[ "$failures" -eq 0 ]

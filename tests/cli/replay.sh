@@ -1,0 +1,98 @@
+#!/bin/sh
+# frond replay as people meet it: what it paints again, what it says, what it leaves behind. replay.sh FROND DATA
+set -u
+frond=$(realpath "$1") || exit 1
+data=$(realpath "$2") || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+fail() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$1"
+    sed 's/^/  stderr: /' err.txt
+}
+
+# expect STATUS ARGUMENTS...: runs frond without a terminal; leaves out.txt and err.txt.
+expect() {
+    wanted=$1
+    shift
+    last="frond $*"
+    "$frond" "$@" >out.txt 2>err.txt </dev/null
+    status=$?
+    [ "$status" -eq "$wanted" ] || fail "$last: exit status $status, not $wanted"
+}
+
+says() { # the whole of stderr
+    [ "$(cat err.txt)" = "$1" ] || fail "$last: stderr is not: $1"
+}
+
+size_of() { # of a PNG, from its header
+    od -An -j16 -N8 -tu1 "$1" | awk '{ print $3 * 256 + $4 "x" $7 * 256 + $8 }'
+}
+
+# A session and its journal are one painting, to the bit.
+expect 0 render "$data/sessions/small.yaml" -o a.png --stats a.json --journal a.frond
+expect 0 replay a.frond -o b.png --stats b.json --threads 3
+says ""
+cmp -s a.json b.json || fail "$last: other figures than the session's"
+cmp -s a.png b.png || fail "$last: another picture than the session's"
+
+# A print, and pictures on the way.
+expect 0 replay a.frond -o print.png --scale 4 --frames frames --every 25 --size 80x60
+says ""
+[ "$(size_of print.png)" = 640x480 ] || fail "$last: the print has $(size_of print.png) pixels"
+[ "$(cd frames && echo *)" = "000025.png 000050.png 000060.png" ] || fail "$last: other frames"
+[ "$(size_of frames/000025.png)" = 80x60 ] || fail "$last: frames of $(size_of frames/000025.png) pixels"
+
+# A torn journal is played up to the tear, and says so; other files are refused in a line.
+head -c -9 a.frond >torn.frond
+expect 0 replay torn.frond -o torn.png
+grep -q '^frond replay: torn.frond: it is torn, and played up to there: byte [0-9]*: the record is cut short$' err.txt ||
+    fail "$last: the tear is not told"
+expect 1 replay "$data/sessions/small.yaml" -o c.png
+says "frond replay: the journal: it is no journal of Frond"
+expect 1 replay nowhere.frond -o c.png
+says "frond replay: nowhere.frond: there is no such file or folder"
+{ head -c 8 a.frond && printf '\002\000' && tail -c +11 a.frond; } >later.frond
+expect 1 replay later.frond -o c.png
+says "frond replay: the journal: the journal is of version 2.0; this Frond (0.1.0) reads version 1"
+[ ! -e c.png ] || fail "$last: left a picture behind"
+
+# A plan of the branches.
+expect 0 replay a.frond --svg plan.svg --paper 150
+grep -q '<svg .*width="150' plan.svg || fail "$last: no plan 150 mm wide"
+expect 2 replay a.frond --svg plan.svg --paper 9
+says "frond replay: --paper: '9' is not it; 10 to 5000 mm"
+
+# The command line.
+expect 2 replay
+says "frond replay: no journal is given; see frond replay --help"
+expect 2 replay a.frond
+says "frond replay: nothing is asked for: -o FILE.png, or another; see frond replay --help"
+expect 2 replay a.frond -o a.png --scale 17
+says "frond replay: --scale: '17' is not it; 1 to 16"
+expect 1 replay a.frond --video film.avi
+says "frond replay: film.avi: the name of a film ends in .mp4 or .webm"
+
+# A film, where ffmpeg is; without, a line. Nothing is left of one that could not be made.
+PATH=/nowhere expect 1 replay a.frond --video film.mp4
+says "frond replay: ffmpeg: is not installed"
+if command -v ffmpeg >/dev/null; then
+    for film in film.mp4 film.webm; do
+        expect 0 replay a.frond --video "$film" --every 2 --size 81x61
+        says ""
+        ffprobe -v error -count_frames -select_streams v -show_entries stream=width,height,nb_read_frames -of csv=p=0 \
+            "$film" >probe.txt 2>&1
+        [ "$(cat probe.txt)" = 80,60,30 ] || fail "$last: $(cat probe.txt)"
+    done
+    mkdir shut
+    expect 1 replay a.frond --video shut/../missing/film.mp4
+    says "frond replay: shut/../missing/film.mp4: its folder is not there"
+else
+    echo "no ffmpeg: films are not tested"
+fi
+[ -z "$(find . -name '*.part*')" ] || fail "a part of a film is left"
+
+[ "$failures" -eq 0 ] || exit 1
