@@ -64,14 +64,14 @@ static bool reserve(void **memory, int32_t *room, int32_t wanted, size_t size)
 }
 
 /* The way of one endpoint; -1: memory is short. */
-static int trace(struct dendrite *dendrite, const int32_t *toward, int32_t endpoint, int level)
+static int trace(struct dendrite *dendrite, const int32_t *toward, int32_t endpoint, int level, int32_t longest)
 {
     int32_t length = 0, node = endpoint;
     while (node >= 0 && dendrite->at[node] < 0) {
         length++;
         node = toward[node];
     }
-    if (node == ROUTES_NONE) {
+    if (node == ROUTES_NONE || (longest > 0 && length > longest)) {
         return 0;
     }
     if (!reserve((void **)&dendrite->nodes, &dendrite->node_room, dendrite->node_count + length,
@@ -92,7 +92,7 @@ static int trace(struct dendrite *dendrite, const int32_t *toward, int32_t endpo
 }
 
 bool dendrite_extend(struct dendrite *dendrite, const struct routes *routes, const int32_t *endpoints, int32_t count,
-                     int level)
+                     int level, int32_t longest)
 {
     const int32_t *toward = routes_toward(routes);
     if (!reserve((void **)&dendrite->endpoints, &dendrite->endpoint_room, dendrite->endpoint_count + count,
@@ -100,7 +100,7 @@ bool dendrite_extend(struct dendrite *dendrite, const struct routes *routes, con
         return false;
     }
     for (int32_t i = 0; i < count; i++) {
-        int reached = trace(dendrite, toward, endpoints[i], level);
+        int reached = trace(dendrite, toward, endpoints[i], level, longest);
         if (reached < 0) {
             return false;
         }

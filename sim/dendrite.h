@@ -47,9 +47,10 @@ void dendrite_destroy(struct dendrite *dendrite); /* takes NULL */
 void dendrite_cut(struct dendrite *dendrite, int level);
 
 /* Traces the ways of these endpoints back until they meet the structure, or a seed. Seeds become part of it as soon as
- * a way leads there. Endpoints that no way leads to are left out. False when memory is short. */
+ * a way leads there. Endpoints that no way leads to are left out, and those whose way has more than `longest` nodes (0:
+ * any number). False when memory is short. */
 bool dendrite_extend(struct dendrite *dendrite, const struct routes *routes, const int32_t *endpoints, int32_t count,
-                     int level);
+                     int level, int32_t longest);
 /* Branches, leaves and reach anew, and places unsmoothed. Call it after the last extension and before all below. False
  * when memory is short. */
 bool dendrite_arrange(struct dendrite *dendrite);

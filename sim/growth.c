@@ -94,7 +94,7 @@ bool growth_finish_layer(const struct growth *growth, struct dendrite *dendrite)
 static bool build(struct growth *growth)
 {
     dendrite_cut(growth->layers[0], 0);
-    return dendrite_extend(growth->layers[0], growth->routes, growth->endpoints, growth->endpoint_count, 0) &&
+    return dendrite_extend(growth->layers[0], growth->routes, growth->endpoints, growth->endpoint_count, 0, 0) &&
            growth_finish_layer(growth, growth->layers[0]);
 }
 

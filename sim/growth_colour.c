@@ -110,8 +110,8 @@ static void match_background(struct growth_shade *shade)
     for (int c = 0; c < 3; c++) {
         mean[c] = whole[c] / pixels;
         dark[c] /= taken > 0 ? taken : 1;
-        shade->dark[c] = (float)(0.55 * dark[c]);
-        shade->middle[c] = (float)(0.62 * dark[c] + 0.10 * mean[c]);
+        shade->dark[c] = (float)(0.42 * dark[c]);
+        shade->middle[c] = (float)(0.55 * dark[c] + 0.07 * mean[c]);
         shade->light[c] = (float)(0.50 * dark[c] + 0.38 * mean[c]);
         shade->haze[c] = (float)mean[c];
     }
@@ -214,7 +214,7 @@ static float bark_colour(const struct growth_shade *shade, const struct stroke_r
         rgb[c] = lerp(low, shade->light[c], soft(0.5f, 1, bright));
     }
     float thin = soft(1.6f, 0.3f, raster->radius[i] / raster->scale);
-    toward(rgb, shade->haze, 0.10f * thin + (shade->def->background ? 0.07f : 0));
+    toward(rgb, shade->haze, 0.08f * thin + (shade->def->background ? 0.04f : 0));
     return 1;
 }
 

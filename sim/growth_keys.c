@@ -89,65 +89,70 @@ static void dress_tree(struct growth_def *def)
     def->jitter = 0.35f;
 }
 
+static void dress(struct growth_def *def)
+{
+    switch (def->metaphor) {
+    case METAPHOR_VINE:
+        def->endpoints = 1300;
+        def->smooth = 12;
+        def->mix = 0.75f;
+        def->tip = 0.3f;
+        def->gain = 2.3f;
+        def->branch = 4;
+        def->leaves = 8;
+        def->tendrils = 17;
+        break;
+    case METAPHOR_LIGHTNING:
+        def->light = true;
+        def->upward = 4;
+        def->sideways = 1.3f;
+        def->endpoints = 1700;
+        def->smooth = 1;
+        def->jitter = 1.1f;
+        def->tip = 0.2f;
+        def->gain = 1.0f;
+        def->random = 0.55f;
+        def->mix = 0.7f;
+        break;
+    case METAPHOR_WINTER:
+        def->mix = 0.75f;
+        def->gain = 2.2f;
+        def->branch = 6;
+        def->tip = 0.28f;
+        def->jitter = 0.4f;
+        break;
+    case METAPHOR_FROST:
+        def->light = true;
+        def->endpoints = 2600;
+        def->smooth = 1;
+        def->jitter = 0;
+        def->tip = 0.22f;
+        def->gain = 0.9f;
+        def->needles = 7;
+        break;
+    case METAPHOR_CRACKS:
+        def->metric = METRIC_FULL;
+        def->endpoints = 2000;
+        def->smooth = 1;
+        def->jitter = 0.5f;
+        def->random = 0.15f;
+        def->tip = 0.18f;
+        def->gain = 0.8f;
+        def->branch = 2;
+        def->mix = 0.7f;
+        break;
+    default:
+        break;
+    }
+}
+
 struct growth_def growth_preset(enum metaphor metaphor, bool tree)
 {
     struct growth_def def = {0};
     key_defaults(growth_keys, &def);
     def.metaphor = (int)metaphor;
     def.fork = (struct point){0.42f, 0.52f};
-    switch (metaphor) {
-    case METAPHOR_VINE:
-        def.endpoints = 1300;
-        def.smooth = 12;
-        def.mix = 0.75f;
-        def.tip = 0.3f;
-        def.gain = 2.3f;
-        def.branch = 4;
-        def.leaves = 8;
-        def.tendrils = 17;
-        break;
-    case METAPHOR_LIGHTNING:
-        def.light = true;
-        def.upward = 4;
-        def.sideways = 1.3f;
-        def.endpoints = 1700;
-        def.smooth = 1;
-        def.jitter = 1.1f;
-        def.tip = 0.2f;
-        def.gain = 1.0f;
-        def.random = 0.55f;
-        def.mix = 0.7f;
-        break;
-    case METAPHOR_WINTER:
-        def.mix = 0.75f;
-        def.gain = 2.2f;
-        def.branch = 6;
-        def.tip = 0.28f;
-        def.jitter = 0.4f;
-        break;
-    case METAPHOR_FROST:
-        def.light = true;
-        def.endpoints = 2600;
-        def.smooth = 1;
-        def.jitter = 0;
-        def.tip = 0.22f;
-        def.gain = 0.9f;
-        def.needles = 7;
-        break;
-    case METAPHOR_CRACKS:
-        def.metric = METRIC_FULL;
-        def.endpoints = 2000;
-        def.smooth = 1;
-        def.jitter = 0.5f;
-        def.random = 0.15f;
-        def.tip = 0.18f;
-        def.gain = 0.8f;
-        def.branch = 2;
-        def.mix = 0.7f;
-        break;
-    default:
-        break;
-    }
+    dress(&def);
     if (tree) {
         dress_tree(&def);
     }

@@ -108,7 +108,7 @@ static bool grow_trunk(struct planting *planting)
     int32_t fork = node_at(planting, def->fork.x, def->fork.y);
     if (!weigh(planting, &noise, NULL, NULL, false) ||
         !routes_plan(growth->routes, METRIC_CUMULATIVE, 0, growth->seeds, growth->seed_count) ||
-        !dendrite_extend(planting->dendrite, growth->routes, &fork, 1, 0)) {
+        !dendrite_extend(planting->dendrite, growth->routes, &fork, 1, 0, 0)) {
         return false;
     }
     const struct dendrite *dendrite = planting->dendrite;
@@ -126,7 +126,7 @@ static bool grow_trunk(struct planting *planting)
         tips[i] = node_at(planting, def->fork.x + far * cosf(angle), def->fork.y - far * sinf(angle));
     }
     return count == 0 || (routes_plan(growth->routes, METRIC_CUMULATIVE, 0, planting->list, count) &&
-                          dendrite_extend(planting->dendrite, growth->routes, tips, def->primary, 0));
+                          dendrite_extend(planting->dendrite, growth->routes, tips, def->primary, 0, 0));
 }
 
 /* Endpoints of an iteration, behind the structure in the list: stipples where the picture rules, chance elsewhere. */
@@ -185,7 +185,7 @@ static bool iterate(struct planting *planting, struct stipple *stipple, int iter
     int32_t count = choose(planting, stipple, found, reach, iteration, chosen);
     int emphasis = def->emphasis * (iteration + 1) * (iteration + 1) / (def->iterations * def->iterations);
     bool good = routes_plan(growth->routes, (enum metric)def->metric, emphasis, planting->list, dendrite->node_count) &&
-                dendrite_extend(planting->dendrite, growth->routes, chosen, count, iteration + 1);
+                dendrite_extend(planting->dendrite, growth->routes, chosen, count, iteration + 1, reach * 6 / 5);
     free(chosen);
     return good;
 }

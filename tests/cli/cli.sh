@@ -330,9 +330,9 @@ for bad in "--endpoints 0" "--endpoints 3x" "--plant 0.5" "--plant 0.5,1.5" "--r
     expect 2 grow a.png -o b.png $bad
     grep -q "^frond grow: --[a-z]*: '.*' is not it; " err.txt || fail "$last: what is wrong is not said"
 done
-expect 1 grow no-such.png -o a.png
+expect 1 grow no-such.png -o nothing.png
 grep -q "^frond grow: no-such.png" err.txt || fail "$last: no file"
-absent a.png
+absent nothing.png
 painting=$data/../../config/pictures/demonstration.png
 expect 0 grow "$painting" -o a.png -o a.svg -o a.exr --detail 128 --endpoints 250 --plant 0.2,0.9 --plant 0.8,0.9 --stats a.json
 quiet

@@ -323,7 +323,7 @@ static void compose(struct figure *figure, struct sheet *sheet, struct sitter *s
         dark = (double)sitter->rgb[i] < dark ? (double)sitter->rgb[i] : dark;
     }
     double share = changed / (3.0 * SHOWN * SHOWN);
-    figure_check(figure, share > 0.02 && share < 0.3 && dark > 0.4 * darkest,
+    figure_check(figure, share > 0.02 && share < 0.3 && dark > 0.3 * darkest,
                  "%s: the tree takes %.1f %% of it, its darkest %.2f, that of the ground %.2f", motif_names[ground],
                  100 * share, dark, darkest);
     sheet_add(sheet, sitter->bytes, "a tree in %s", motif_names[ground]);
