@@ -153,7 +153,7 @@ static void place_nodes(struct dendrite *dendrite)
 bool dendrite_arrange(struct dendrite *dendrite)
 {
     size_t count = (size_t)dendrite->node_count + 1;
-    float *beyond = malloc(count * sizeof *beyond);
+    float *beyond = calloc(count, sizeof *beyond);
     int32_t *heir = malloc(count * sizeof *heir);
     struct dendrite_branch *branches = realloc(dendrite->branches, count * sizeof *branches);
     dendrite->branches = branches ? branches : dendrite->branches;

@@ -148,7 +148,8 @@ struct growth *growth_create(const float *grey, int width, int height, const str
     if (growth->lattice) {
         growth->routes = routes_create(growth->lattice);
     }
-    if (!growth->routes || !plant(growth) || !(def->tree ? growth_tree(growth) : grow_dendrite(growth))) {
+    if (!growth->importance || !growth->lattice || !growth->routes || !plant(growth) ||
+        !(def->tree ? growth_tree(growth) : grow_dendrite(growth))) {
         growth_destroy(growth);
         return NULL;
     }
@@ -182,8 +183,9 @@ static bool place_again(struct growth *growth, struct rectangle touched)
 {
     struct rectangle around = {touched.x0 - BRUSH_MARGIN, touched.x1 + BRUSH_MARGIN, touched.y0 - BRUSH_MARGIN,
                                touched.y1 + BRUSH_MARGIN};
-    int32_t kept = 0, near = 0, area = (touched.x1 - touched.x0) * (touched.y1 - touched.y0);
-    size_t room = (size_t)(growth->endpoint_count + growth->seed_count + area + 1);
+    int32_t kept = 0, near = 0;
+    size_t area = (size_t)(touched.x1 - touched.x0) * (size_t)(touched.y1 - touched.y0);
+    size_t room = (size_t)growth->endpoint_count + (size_t)growth->seed_count + area + 1;
     int32_t *all = malloc(room * sizeof *all), *seeds = malloc(room * sizeof *seeds);
     bool good = all && seeds;
     for (int32_t i = 0; i < growth->endpoint_count && good; i++) {

@@ -205,7 +205,8 @@ static float winter_colour(const struct growth_shade *shade, const struct stroke
 static float bark_colour(const struct growth_shade *shade, const struct stroke_raster *raster, size_t i, float rgb[3])
 {
     float light = lit(raster, i), u = (float)(i % (size_t)raster->width) / raster->scale;
-    float v = (float)(i / (size_t)raster->width) / raster->scale;
+    size_t row = i / (size_t)raster->width;
+    float v = (float)row / raster->scale;
     float patch = noise_smooth(u * 1.6f, v * 0.7f, 3.2f, 31, RANDOM_SMOOTH) + 0.4f * (raster->tone[i] - 0.5f);
     float bright = light * 0.9f + 0.22f * patch;
     bright = bright < 0 ? 0 : bright > 1 ? 1 : bright;
@@ -220,8 +221,8 @@ static float bark_colour(const struct growth_shade *shade, const struct stroke_r
 
 static float ink_colour(const struct growth_shade *shade, const struct stroke_raster *raster, size_t i, float rgb[3])
 {
-    float u = (float)(i % (size_t)raster->width) / raster->scale,
-          v = (float)(i / (size_t)raster->width) / raster->scale;
+    size_t column = i % (size_t)raster->width, row = i / (size_t)raster->width;
+    float u = (float)column / raster->scale, v = (float)row / raster->scale;
     float pool = noise_smooth(u, v, 6, 41, RANDOM_SMOOTH), edge = fabsf(raster->across[i]);
     float load = 0.55f + 0.45f * pool - 0.35f * edge * edge; /* ink dries darker at the edge */
     for (int c = 0; c < 3; c++) {

@@ -82,7 +82,7 @@ static void blur_row(const float *row, int width, const float *taps, int count, 
 /* plane -> plane; `between` is as large. */
 static void blur(float *plane, int width, int height, float sigma, float *between)
 {
-    float taps[TAPS_MAX];
+    float taps[TAPS_MAX] = {1};
     int count = make_taps(sigma, taps);
     if (count == 1) {
         return;

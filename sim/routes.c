@@ -90,19 +90,19 @@ static inline uint32_t step_cost(const struct lattice *lattice, int32_t node, in
     return edge;
 }
 
-/* A better way to `node`, from its neighbour `from`. Returns whether its label changes. */
-static inline bool take(struct routes *routes, enum metric metric, uint64_t label, int32_t from, int32_t node)
+/* A better way to `there`, from its neighbour `via`. Returns whether its label changes. */
+static inline bool take(struct routes *routes, enum metric metric, uint64_t label, int32_t via, int32_t there)
 {
-    if (label == routes->label[node]) {
-        routes->toward[node] = from < routes->toward[node] ? from : routes->toward[node];
+    if (label == routes->label[there]) {
+        routes->toward[there] = via < routes->toward[there] ? via : routes->toward[there];
         return false;
     }
-    if (!comes_before(routes, metric, label, routes->label[node])) {
+    if (!comes_before(routes, metric, label, routes->label[there])) {
         return false;
     }
-    routes->label[node] = label;
-    routes->toward[node] = from;
-    route_queue_push(&routes->queue, key_of(routes, metric, label), node);
+    routes->label[there] = label;
+    routes->toward[there] = via;
+    route_queue_push(&routes->queue, key_of(routes, metric, label), there);
     return true;
 }
 
@@ -177,6 +177,9 @@ static inline void settle_all(struct routes *routes, enum metric metric)
 
 static bool keep_seeds(struct routes *routes, const int32_t *seeds, int32_t count)
 {
+    if (seeds == routes->seeds) { /* those of before */
+        return true;
+    }
     if (count > routes->seed_room) {
         int32_t *more = realloc(routes->seeds, (size_t)count * sizeof *more);
         if (!more) {

@@ -100,13 +100,14 @@ static void push(struct stipple *stipple, int32_t node, int cost)
         stipple->unused = stipple->pool[at].next;
     } else {
         if ((size_t)stipple->pool_count == stipple->pool_room) {
-            struct entry *more = realloc(stipple->pool, 2 * stipple->pool_room * sizeof *more);
+            size_t room = 2 * stipple->pool_room + 1;
+            struct entry *more = realloc(stipple->pool, room * sizeof *more);
             if (!more) {
                 stipple->failed = true;
                 return;
             }
             stipple->pool = more;
-            stipple->pool_room *= 2;
+            stipple->pool_room = room;
         }
         at = stipple->pool_count++;
     }
@@ -233,7 +234,7 @@ static double next_threshold(double threshold, double found, double target, cons
     if (known && (next <= bracket[0] || next >= bracket[1])) {
         next = 0.5 * (bracket[0] + bracket[1]);
     }
-    return next < STIPPLE_THRESHOLD_MAX / 2 ? next : STIPPLE_THRESHOLD_MAX / 2.0;
+    return next < 0.5 * STIPPLE_THRESHOLD_MAX ? next : 0.5 * STIPPLE_THRESHOLD_MAX;
 }
 
 int32_t stipple_search(struct stipple *stipple, const int32_t *seeds, int32_t count, int32_t target)

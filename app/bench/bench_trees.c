@@ -30,7 +30,6 @@ static bool time_stages(const float *grey, int side, const struct growth_def *de
     start = bench_thread_s();
     struct lattice *lattice = importance ? lattice_create(importance, &lattice_weights, NULL, NULL) : NULL;
     keep_least(&stages->lattice, bench_thread_s() - start);
-    start = bench_thread_s();
     struct stipple *stipple = lattice ? stipple_create(lattice) : NULL;
     struct routes *routes = lattice ? routes_create(lattice) : NULL;
     bool good = stipple && routes;
@@ -81,8 +80,9 @@ static bool time_edits(struct growth *growth, double *median, double *worst)
 {
     double seconds[EDITS];
     for (int i = 0; i < EDITS; i++) {
+        int row = i / 6;
         float x = (float)growth->importance->width * (0.1f + 0.16f * (float)(i % 6));
-        float y = (float)growth->importance->height * (0.1f + 0.26f * (float)(i / 6));
+        float y = (float)growth->importance->height * (0.1f + 0.26f * (float)row);
         double start = bench_thread_s();
         if (!growth_brush(growth, x, y, EDIT_RADIUS, i % 2 ? 0.5f : -0.5f)) {
             return false;

@@ -76,16 +76,16 @@ static bool add_layer(struct json_object *array, const struct growth *growth, in
     if (!dendrite_measure(growth->layers[layer], growth->importance, &figures)) {
         return false;
     }
-    struct json_object *object = json_object_new_object();
-    json_object_object_add(object, "endpoints", json_object_new_int(figures.endpoints));
-    json_object_object_add(object, "branches", json_object_new_int(figures.branches));
-    json_object_object_add(object, "nodes", json_object_new_int(figures.nodes));
-    json_object_object_add(object, "levels", json_object_new_int(figures.levels));
-    json_object_object_add(object, "components", json_object_new_int(figures.components));
-    json_object_object_add(object, "cycles", json_object_new_int(figures.cycles));
-    add_number(object, "length", figures.length);
-    add_number(object, "coverage", figures.coverage);
-    json_object_array_add(array, object);
+    struct json_object *entry = json_object_new_object();
+    json_object_object_add(entry, "endpoints", json_object_new_int(figures.endpoints));
+    json_object_object_add(entry, "branches", json_object_new_int(figures.branches));
+    json_object_object_add(entry, "nodes", json_object_new_int(figures.nodes));
+    json_object_object_add(entry, "levels", json_object_new_int(figures.levels));
+    json_object_object_add(entry, "components", json_object_new_int(figures.components));
+    json_object_object_add(entry, "cycles", json_object_new_int(figures.cycles));
+    add_number(entry, "length", figures.length);
+    add_number(entry, "coverage", figures.coverage);
+    json_object_array_add(array, entry);
     return true;
 }
 

@@ -221,6 +221,12 @@ static void a_brush_changes_what_it_touches_and_the_ways_are_as_planned_anew(voi
         }
         free(endpoints);
         assert_is_a_forest(growth, 0, 1);
+        struct lattice_def weights = lattice_default_def();
+        weights.random = def.random;
+        weights.seed = (uint32_t)def.seed;
+        struct lattice *fresh = lattice_create(growth->importance, &weights, NULL, NULL);
+        assert_memory_equal(fresh->weight, growth->lattice->weight, (size_t)fresh->nodes * sizeof *fresh->weight);
+        lattice_destroy(fresh);
         struct routes *anew = routes_create(growth->lattice);
         assert_true(routes_plan(anew, METRIC_PARTIAL, 0, growth->seeds, growth->seed_count));
         assert_memory_equal(routes_toward(anew), routes_toward(growth->routes), (size_t)growth->lattice->nodes * 4);

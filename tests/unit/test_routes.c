@@ -307,7 +307,22 @@ static void a_replan_is_a_plan_anew(void **state)
         for (int edit = 0; edit < 25; edit++) {
             float x = WIDE * random_unit(edit, 0, seed, RANDOM_SEED),
                   y = HIGH * random_unit(edit, 1, seed, RANDOM_SEED);
-            struct rectangle changed = importance_brush(&field.importance, x, y, 5, edit % 2 ? 0.8f : -0.8f);
+            struct rectangle changed = {0, 0, 0, 0};
+            if (edit % 6 == 0) { /* a seed */
+                x = (float)lattice_x(field.lattice, seeds[edit / 6 % 2]);
+                y = (float)lattice_y(field.lattice, seeds[edit / 6 % 2]);
+            }
+            if (edit % 3 > 0) {
+                changed = importance_brush(&field.importance, x, y, 5, edit % 2 ? 0.8f : -0.8f);
+            } else { /* to the very edge of what is said to have changed */
+                changed =
+                    rectangle_clip((struct rectangle){(int)x, (int)x + 1 + edit % 4, (int)y, (int)y + 1}, WIDE, HIGH);
+                for (int i = 0; i < WIDE * HIGH; i++) {
+                    bool within = i % WIDE >= changed.x0 && i % WIDE < changed.x1 && i / WIDE >= changed.y0 &&
+                                  i / WIDE < changed.y1;
+                    field.values[i] = within ? (float)(edit % 2) : field.values[i];
+                }
+            }
             lattice_weigh(field.lattice, &field.importance, &field.def, changed);
             assert_true(routes_replan(routes, changed));
             assert_true(routes_plan(anew, metric, 300, seeds, 2));
