@@ -52,7 +52,7 @@ static bool plant(struct growth *growth)
     struct point own[GROWTH_PLANTS_MAX];
     const struct point *plants = growth->def.plants.points;
     int32_t count = growth->def.plants.count;
-    if (count == 0) {
+    if (count == 0 || !plants) {
         count = own_plants(&growth->def, own);
         plants = own;
     }

@@ -218,13 +218,13 @@ static bool grow_layer(struct planting *planting, int layer)
 
 bool growth_tree(struct growth *growth)
 {
+    int width = growth->importance->width, height = growth->importance->height;
+    size_t pixels = (size_t)width * (size_t)height;
+    float *wild = malloc(pixels * sizeof *wild), *inside = malloc(pixels * sizeof *inside);
+    int32_t *list = malloc((size_t)growth->lattice->nodes * sizeof *list);
+    bool good = wild && inside && list;
     struct planting planting = {
-        .growth = growth, .width = growth->importance->width, .height = growth->importance->height};
-    size_t pixels = (size_t)planting.width * (size_t)planting.height;
-    planting.wild = malloc(pixels * sizeof *planting.wild);
-    planting.inside = malloc(pixels * sizeof *planting.inside);
-    planting.list = malloc((size_t)growth->lattice->nodes * sizeof *planting.list);
-    bool good = planting.wild && planting.inside && planting.list;
+        .growth = growth, .width = width, .height = height, .wild = wild, .inside = inside, .list = list};
     if (good) {
         mask_crown(&planting);
     }
@@ -232,8 +232,8 @@ bool growth_tree(struct growth *growth)
         growth->layer_count = layer + 1;
         good = grow_layer(&planting, layer);
     }
-    free(planting.wild);
-    free(planting.inside);
-    free(planting.list);
+    free(wild);
+    free(inside);
+    free(list);
     return good;
 }
