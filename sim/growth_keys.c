@@ -93,13 +93,14 @@ static void dress(struct growth_def *def)
 {
     switch (def->metaphor) {
     case METAPHOR_VINE:
-        def->endpoints = 1300;
+        def->metric = METRIC_FULL;
+        def->endpoints = 1700;
         def->smooth = 12;
         def->mix = 0.75f;
         def->tip = 0.3f;
         def->gain = 2.3f;
         def->branch = 4;
-        def->leaves = 8;
+        def->leaves = 11;
         def->tendrils = 17;
         break;
     case METAPHOR_LIGHTNING:
