@@ -14,14 +14,14 @@
 
 static const uint32_t WRITTEN = IN_CREATE | IN_MODIFY | IN_MOVED_TO | IN_DELETE;
 static const char *const FOLDERS[GAUGE_FOLDERS] = {"gallery", "painting"};
-static const double SETTLE_S = 1; /* what was begun before attract is done then */
+static const double SETTLE_S = 3; /* what was begun before attract is done then */
 static const double WARM = 0.25;  /* of the windows are not counted */
 /* Growth: an hour, or a thousand visits; and what the least of a few minutes may be off by, since allocators take
  * memory in steps of up to that. */
 static const double MOST_KB_H = 1024, MOST_KB_THOUSAND = 64, NOISE_KB = 1024;
 /* p95; where the machine does too much besides to reach the display's rate, so many of the frames that it does reach.
  */
-static const double MS_MOST = 70, FRAME_MS_GOOD = 20, FRAMES_MOST = 10;
+static const double MS_MOST = 70, FRAME_MS_GOOD = 20, FRAMES_MOST = 20;
 
 static int entries(const char *folder)
 {
@@ -128,8 +128,7 @@ static void look_at_writes(struct gauge *gauge, struct soak *soak)
         snprintf(name, sizeof name, "%.90s", event->len > 0 ? event->name : "");
         count++;
     }
-    bool calm = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && !kiosk->keep && kiosk->gallery &&
-                !gallery_busy(kiosk->gallery);
+    bool calm = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && !kiosk->keep;
     gauge->calm_s = !calm ? 0 : gauge->calm_s > 0 ? gauge->calm_s : soak_s(soak);
     bool quiet = calm && soak_s(soak) > gauge->calm_s + SETTLE_S;
     if (count > 0 && quiet && gauge->quiet) {
