@@ -119,7 +119,7 @@ static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *
 {
     double from = soak_s(soak), calm_s = 0;
     bool going = true, rested = false;
-    guest->retired = faults->retired = true;
+    guest->retired = faults->retired = gauge->resting = true;
     while (going && !rested && soak_s(soak) < from + PEACE_S) {
         guest_turn(guest, soak);
         faults_turn(faults, soak);

@@ -32,6 +32,7 @@ struct gauge {
     bool quiet;    /* it is for long enough, since the last turn at least */
     int kept_most, sheets;
     long long bytes_most;
+    bool resting; /* no visitor comes any more: memory is not looked at */
     int quiet_turns, kept_seen;
 };
 
