@@ -370,7 +370,10 @@ void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint
 {
     struct hud_image *image = &kiosk->images[LOOK_SLIDE];
     hud_image_finish(image);
-    *image = (struct hud_image){.rgba = rgba, .width = width, .height = height, .key = ++kiosk->slides};
+    image->rgba = rgba;
+    image->width = width;
+    image->height = height;
+    image->key = ++kiosk->slides;
     kiosk->slide_us = now_us;
 }
 

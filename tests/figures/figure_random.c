@@ -9,6 +9,9 @@
 
 enum { SIDE = 96, TICKS = 20000, EVERY_ACTION = 40, EVERY_CHECK = 50, PATH = 6, RASTER = 12, SHOWN = 5 };
 
+/* Liquid that running water has thinned is no multiple of the dead band any more: its sums are 0 but for rounding. */
+static const float ROUNDING = 1e-9f;
+
 struct chance {
     uint32_t seed;
     int drawn;
@@ -129,7 +132,7 @@ static void look(struct subject *subject, struct unsound *unsound)
         bool density = field <= PAINTING_SOLVENT || field == PAINTING_INK ||
                        (field >= PAINTING_WET && field < PAINTING_DRY + PAINTING_INKS);
         for (size_t i = 0; i < subject->cells; i++) {
-            bool strange = !isfinite(plane[i]), negative = density && plane[i] < 0.0f;
+            bool strange = !isfinite(plane[i]), negative = density && plane[i] < -ROUNDING;
             bool high = field == PAINTING_CATALYST && plane[i] > 1.0f + 1e-6f;
             if ((strange || negative || high) && !unsound->field) {
                 unsound->field = painting_field_name((enum painting_field)field);

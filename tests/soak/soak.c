@@ -119,7 +119,7 @@ static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *
 {
     double from = soak_s(soak), calm_s = 0;
     bool going = true, rested = false;
-    guest->retired = faults->retired = true;
+    guest->retired = faults->retired = gauge->resting = true;
     while (going && !rested && soak_s(soak) < from + PEACE_S) {
         guest_turn(guest, soak);
         faults_turn(faults, soak);
@@ -128,14 +128,19 @@ static void come_to_rest(struct soak *soak, struct guest *guest, struct faults *
         chatter_listen(chatter, soak_s(soak));
         const struct live_kiosk *kiosk = &soak->live.kiosk;
         bool calm = guest->state == GUEST_AWAY && faults_over(faults) && !kiosk->before && phantoms(soak) == 0 &&
-                    !(kiosk->gallery && gallery_busy(kiosk->gallery)) &&
                     strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && gauge->quiet;
         calm_s = calm ? (calm_s > 0 ? calm_s : soak_s(soak)) : 0;
         rested = calm && soak_s(soak) > calm_s + 2;
     }
     if (!rested) {
-        soak_fail(soak, "%.0f s after everybody has gone it is in %s, with %d hands that are not there", PEACE_S,
-                  kiosk_state(soak->live.kiosk.kiosk), phantoms(soak));
+        const struct live_kiosk *kiosk = &soak->live.kiosk;
+        soak_fail(
+            soak,
+            "%.0f s after everybody has gone it is in %s, with %d hands that are not there; visitors %s, faults %s, "
+            "%s, %s is written",
+            PEACE_S, kiosk_state(kiosk->kiosk), phantoms(soak), guest->state == GUEST_AWAY ? "away" : "there",
+            faults_over(faults) ? "over" : "not over", kiosk->before ? "an exhibit is held" : "no exhibit is held",
+            gauge->quiet ? "nothing" : "something");
     }
 }
 

@@ -28,10 +28,11 @@ struct gauge {
     uint32_t visits_told;
     int writes; /* inotify */
     bool watched[GAUGE_FOLDERS];
-    double calm_s; /* since when it is in attract, and the gallery has nothing to do; 0: it is not */
+    double calm_s; /* since when it is in attract; 0: it is not */
     bool quiet;    /* it is for long enough, since the last turn at least */
     int kept_most, sheets;
     long long bytes_most;
+    bool resting; /* no visitor comes any more: memory is not looked at */
     int quiet_turns, kept_seen;
 };
 

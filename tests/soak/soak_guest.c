@@ -4,7 +4,7 @@
 
 #include "kiosk_state.h"
 
-static const double STEP_S = 0.010, BEHIND_S = 0.2, PATIENCE_S = 60, LOOK_S = 0.1, REST_S = 0.12, LONG_REST_S = 2.5;
+static const double STEP_S = 0.010, BEHIND_S = 0.2, PATIENCE_S = 60, LOOK_S = 0.1, REST_S = 0.12, LONG_REST_S = 4.5;
 
 static float place(struct soak *soak)
 {
@@ -156,7 +156,7 @@ static void wait(struct guest *guest, struct soak *soak)
     if (gone || meets) {
         guest->longest_s = waited > guest->longest_s ? waited : guest->longest_s;
         guest->state = GUEST_AWAY;
-        guest->act_s = now + (soak_random(soak, 25) == 0 ? LONG_REST_S : REST_S * soak_random(soak, 100) / 100);
+        guest->act_s = now + (soak_random(soak, 40) == 0 ? LONG_REST_S : REST_S * soak_random(soak, 100) / 100);
     }
 }
 
