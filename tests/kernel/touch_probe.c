@@ -70,7 +70,10 @@ static void count(struct seen *seen, const struct event *event)
 
 static void say_event(struct seen *seen, const struct event *event)
 {
-    static const char *const kinds[] = {"none", "down", "move", "up", "cancel", "control", "arrived", "left"};
+    static const char *const kinds[] = {
+        [EVENT_NONE] = "none",       [EVENT_DOWN] = "down",       [EVENT_MOVE] = "move",
+        [EVENT_UP] = "up",           [EVENT_CANCEL] = "cancel",   [EVENT_CONTROL] = "control",
+        [EVENT_STANDING] = "stands", [EVENT_ARRIVED] = "arrived", [EVENT_LEFT] = "left"};
     if (event->kind == EVENT_ARRIVED || event->kind == EVENT_LEFT) {
         printf("device %u %s\n", event->device, kinds[event->kind]);
     } else if (event->kind == EVENT_CONTROL) {
