@@ -12,20 +12,26 @@ static float radius_share(const struct kiosk *kiosk, int pixels)
     return kiosk->exhibit->access.dwell_radius * kiosk->hud.mm / (float)pixels;
 }
 
-/* Whatever follows from exhibit, scene and size. */
-void kiosk_layout(struct kiosk *kiosk)
+/* The palettes, for the exhibit, the scene and the size that there are; what is shown and chosen stays. */
+static void lay_hud(struct kiosk *kiosk)
 {
-    int width = kiosk->def.width, height = kiosk->def.height, longer = width > height ? width : height;
-    struct hud_def hud = {kiosk->exhibit, width, height, kiosk->scene};
-    if (kiosk->hud.def.exhibit) { /* what is shown and chosen stays */
+    struct hud_def hud = {kiosk->exhibit, kiosk->def.width, kiosk->def.height, kiosk->scene};
+    if (kiosk->hud.def.exhibit) {
         kiosk->hud.def = hud;
         hud_layout(&kiosk->hud);
     } else {
         hud_init(&kiosk->hud, &hud);
     }
-    bool seated = kiosk->hud.seated;
+}
+
+/* Whatever follows from exhibit and size. What is half done with a switch or by the staff is forgotten: not for less.
+ */
+void kiosk_layout(struct kiosk *kiosk)
+{
+    int width = kiosk->def.width, height = kiosk->def.height, longer = width > height ? width : height;
+    lay_hud(kiosk);
     access_init(&kiosk->access, &kiosk->exhibit->access, radius_share(kiosk, width), radius_share(kiosk, height));
-    kiosk->access.seated = seated;
+    kiosk->access.seated = kiosk->hud.seated;
     staff_init(&kiosk->staff, &kiosk->exhibit->staff, CORNER * (float)longer / (float)width,
                CORNER * (float)longer / (float)height);
 }
@@ -105,7 +111,7 @@ static void show_scene(struct kiosk *kiosk, int scene)
     kiosk->scene = scene;
     kiosk->paintings = 0;
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk->exhibit->scenes[kiosk->scene].script);
-    kiosk_layout(kiosk);
+    lay_hud(kiosk);
     if (kiosk->controls) {
         const struct script *script = kiosk_scene(kiosk)->script;
         controls_scene(kiosk->controls, script->ink_count, &script->coefficients);
@@ -130,7 +136,6 @@ static void welcome(struct kiosk *kiosk)
 {
     hud_reset(&kiosk->hud);
     access_rest(&kiosk->access);
-    kiosk_layout(kiosk);
     if (kiosk->controls) {
         controls_reset(kiosk->controls);
     }
