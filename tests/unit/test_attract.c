@@ -318,7 +318,7 @@ static void look_at_size(const struct played *played, int *tally)
     assert_near(drop->radius, 8, 1e-3);
     assert_near(drop->solvent, 240, 1e-3);
     assert_near(piece->radius, 12, 1e-3);
-    assert_true(played->actions[4].tick > 900 * 2 * 0.88f);
+    assert_true((double)played->actions[4].tick > 900 * 2 * 0.88);
 }
 
 static void look_at_place(const struct played *played, int *tally)
