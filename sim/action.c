@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "brush.h"
+#include "growth.h"
 #include "kernel.h"
 
 static const char *const EDGES[] = {"hard", "soft", "ragged", NULL};
@@ -155,6 +156,30 @@ static const struct key REWIND[] = {
     NUMBER(ticks, "ticks", 1, 3600, 60, "How far the middle of the stroke goes back."),
     END,
 };
+static const struct key STOCK[] = {
+    PICTURE("The picture."),
+    END,
+};
+static const struct key SHAPE[] = {
+    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, FIELD(growth), true, "What to set, as of frond grow."},
+    NUMBER(value, "as that", -10000, 100000, 0, "Its value; of a choice, its number from 0."),
+    END,
+};
+static const struct key PLANT[] = {
+    AT(true, "Where the seed lies."),
+    END,
+};
+static const struct key TEND[] = {
+    PATH(true),
+    RADIUS(30, "Half the width of the stroke; it fades to nothing there."),
+    NUMBER(amount, "importance", -1, 1, 0.5, "How much more important; below 0, less."),
+    END,
+};
+static const struct key HOLD[] = {
+    AT(false, "Where the visitor's hand lies; it is lifted if left out."),
+    RADIUS(30, "How far from it growth keeps."),
+    END,
+};
 
 static const struct {
     const char *name, *meaning;
@@ -178,6 +203,11 @@ static const struct {
     [ACTION_UNDO] = {"undo", "Takes back what a visitor did last.", UNDO},
     [ACTION_REDO] = {"redo", "Brings back what undo took.", UNDO},
     [ACTION_REWIND] = {"rewind", "Takes what is under a stroke back in time; it grows on from there.", REWIND},
+    [ACTION_STOCK] = {"stock", "A picture to grow trees and dendrites over.", STOCK},
+    [ACTION_SHAPE] = {"shape", "Sets how trees and dendrites grow.", SHAPE},
+    [ACTION_PLANT] = {"plant", "Plants a seed: a structure grows from there over the picture.", PLANT},
+    [ACTION_TEND] = {"tend", "Makes a place of the picture more or less important; it grows again there.", TEND},
+    [ACTION_HOLD] = {"hold", "A hand that growth goes round.", HOLD},
 };
 
 const struct key *action_keys(enum action_verb verb)
@@ -238,6 +268,7 @@ struct action action_legal(const struct action *action)
     legal.at.y = legal_position(legal.at.y);
     legal.flow.x = legal_flow(legal.flow.x);
     legal.flow.y = legal_flow(legal.flow.y);
+    legal.growth = legal.growth >= 0 && legal.growth < key_count(growth_keys) ? legal.growth : 0;
     legal.ink = legal.ink < 0 || legal.ink >= INKS ? 0 : legal.ink;
     for (int i = 0; legal.brush != BRUSH_NONE && i <= legal.brush; i++) {
         if (legal.brush < 0 || !brushes[i].name) {

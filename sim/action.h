@@ -43,6 +43,11 @@ enum action_verb {
     ACTION_UNDO,          /* takes back what a visitor did last; engines leave these three to sim/history.h */
     ACTION_REDO,          /* brings back what undo took */
     ACTION_REWIND,        /* the time brush: what is under the stroke goes back in time */
+    ACTION_STOCK,         /* engines leave this one and those below to sim/garden.h: another picture to grow over */
+    ACTION_SHAPE,         /* how it grows: a value of growth_keys */
+    ACTION_PLANT,         /* a seed from which a structure grows over the picture */
+    ACTION_TEND,          /* what is under the stroke is more important, or less, and grows again */
+    ACTION_HOLD,          /* a hand lies there: growth goes round it until it is lifted */
     ACTION_VERBS,
 };
 
@@ -73,6 +78,7 @@ struct action {
     struct action_path path;
     struct action_raster formula, picture;
     int ink, brush, edge, over, reading, coefficient;
+    int growth; /* in growth_keys[] */
     float radius, reach, solvent, amount, strength, value, to, vary, size, ticks;
     bool invert;
 };

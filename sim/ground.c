@@ -248,6 +248,11 @@ struct rectangle ground_act(struct ground *ground, const struct action *action)
     case ACTION_UNDO:
     case ACTION_REDO:
     case ACTION_REWIND:
+    case ACTION_STOCK:
+    case ACTION_SHAPE:
+    case ACTION_PLANT:
+    case ACTION_TEND:
+    case ACTION_HOLD:
     case ACTION_VERBS:
         break;
     }

@@ -10,6 +10,9 @@ enum {
     VELOCITY_ZERO = 32768,
 };
 #define VELOCITY_UNIT 16384.0f
+/* Of each component: populations in equilibrium are then at least 0, as 1 / 2 - 3 / 2 u^2 is, and so is every density
+ * that they flow into. */
+#define VELOCITY_MOST 0.4f
 
 /* Populations of a liquid at rest, and directions, in the order of kernel.h. */
 static const float WEIGHTS[9] = {4.0f / 9,  1.0f / 9,  1.0f / 9,  1.0f / 9, 1.0f / 9,
@@ -37,7 +40,7 @@ float tile_code_number(uint16_t word)
 static uint16_t velocity_code(float momentum, float density)
 {
     float u = density > 1e-9f ? momentum / density : 0.0f;
-    u = u > 1.0f ? 1.0f : u < -1.0f ? -1.0f : u;
+    u = fminf(fmaxf(u, -VELOCITY_MOST), VELOCITY_MOST);
     return (uint16_t)(int)(u * VELOCITY_UNIT + ((float)VELOCITY_ZERO + 0.5f));
 }
 

@@ -202,21 +202,28 @@ static void build_runs(struct tiles *tiles)
     }
 }
 
-/* What a run reads beyond its own cells: one tile around it. */
+static bool foreign(const struct tiles *tiles, int tx, int ty, int index)
+{
+    int owner = tx >= 0 && tx < tiles->columns ? tiles->owner[ty * tiles->columns + tx] : -1;
+    return owner >= 0 && owner != index;
+}
+
+/* What a run reads beyond its own cells: one tile around it; and, left and right, the first cell of the tile behind,
+ * whose value comes to nothing, but which nobody may be writing. */
 static void look_around(const struct tiles *tiles, struct run *run, int index)
 {
     int left = run->x0 / TILE, right = (run->x1 - 1) / TILE, top = run->y0 / TILE, bottom = (run->y1 - 1) / TILE;
     for (int ty = top > 0 ? top - 1 : 0; ty <= bottom + 1 && ty < tiles->rows; ty++) {
         for (int tx = left > 0 ? left - 1 : 0; tx <= right + 1 && tx < tiles->columns; tx++) {
-            int at = ty * tiles->columns + tx;
-            bool foreign = tiles->owner[at] >= 0 && tiles->owner[at] != index;
-            bool level = ty >= top && ty <= bottom;
-            run->guarded[SIDE_LEFT] |= foreign && level && tx < left;
-            run->guarded[SIDE_RIGHT] |= foreign && level && tx > right;
-            run->guarded[SIDE_TOP] |= foreign && ty < top;
-            run->guarded[SIDE_BOTTOM] |= foreign && ty > bottom;
-            run->special |= tiles->flags[TILE_SPECIAL][at] != 0;
+            bool others = foreign(tiles, tx, ty, index);
+            run->guarded[SIDE_TOP] |= others && ty < top;
+            run->guarded[SIDE_BOTTOM] |= others && ty > bottom;
+            run->special |= tiles->flags[TILE_SPECIAL][ty * tiles->columns + tx] != 0;
         }
+    }
+    for (int ty = top; ty <= bottom; ty++) {
+        run->guarded[SIDE_LEFT] |= foreign(tiles, left - 1, ty, index) || foreign(tiles, left - 2, ty, index);
+        run->guarded[SIDE_RIGHT] |= foreign(tiles, right + 1, ty, index) || foreign(tiles, right + 2, ty, index);
     }
 }
 

@@ -23,13 +23,21 @@ struct explaining {
 static const char *type_name(const struct key *key)
 {
     static const char *const NAMES[] = {
-        [KEY_NUMBER] = "number",     [KEY_INTEGER] = "whole number",
-        [KEY_FLAG] = "flag",         [KEY_CHOICE] = "choice",
-        [KEY_POINT] = "point",       [KEY_PATH] = "path",
-        [KEY_INK] = "ink",           [KEY_BRUSH] = "brush",
-        [KEY_RASTER] = "expression", [KEY_PICTURE] = "path",
-        [KEY_TEXT] = "text",         [KEY_COEFFICIENT] = "coefficient",
-        [KEY_ZONE] = "zone",         [KEY_SIZE] = "size",
+        [KEY_NUMBER] = "number",
+        [KEY_INTEGER] = "whole number",
+        [KEY_FLAG] = "flag",
+        [KEY_CHOICE] = "choice",
+        [KEY_POINT] = "point",
+        [KEY_PATH] = "path",
+        [KEY_INK] = "ink",
+        [KEY_BRUSH] = "brush",
+        [KEY_RASTER] = "expression",
+        [KEY_PICTURE] = "path",
+        [KEY_GROWTH] = "option",
+        [KEY_TEXT] = "text",
+        [KEY_COEFFICIENT] = "coefficient",
+        [KEY_ZONE] = "zone",
+        [KEY_SIZE] = "size",
         [KEY_TIME] = "time",
     };
     return key_is_section(key) ? "section" : NAMES[key->type];

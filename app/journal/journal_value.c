@@ -4,6 +4,7 @@
 
 #include "brush.h"
 #include "coefficients.h"
+#include "growth.h"
 #include "journal.h"
 
 const uint8_t journal_magic[JOURNAL_MAGIC] = {0x89, 'F', 'R', 'O', 'N', 'D', '\r', '\n'};
@@ -21,6 +22,7 @@ enum journal_type journal_type_of(enum key_type type)
         return JOURNAL_POINT;
     case KEY_CHOICE:
     case KEY_BRUSH:
+    case KEY_GROWTH:
     case KEY_COEFFICIENT:
         return JOURNAL_NAME;
     case KEY_INK:
@@ -43,6 +45,8 @@ const char *journal_name_of(const struct key *key, int value)
     switch (key->type) {
     case KEY_BRUSH:
         return brushes[value].name;
+    case KEY_GROWTH:
+        return growth_keys[value].name;
     case KEY_COEFFICIENT:
         return coefficient_keys[value].name;
     default:
@@ -57,10 +61,11 @@ bool journal_value_of(const struct key *key, const char *name, int *value)
         *value = brush_find(name);
         return *value != BRUSH_NONE || !name[0];
     }
-    if (key->type == KEY_COEFFICIENT) {
-        const struct key *coefficient = key_find(coefficient_keys, name);
-        *value = coefficient ? (int)(coefficient - coefficient_keys) : 0;
-        return coefficient;
+    if (key->type == KEY_COEFFICIENT || key->type == KEY_GROWTH) {
+        const struct key *keys = key->type == KEY_GROWTH ? growth_keys : coefficient_keys;
+        const struct key *named = key_find(keys, name);
+        *value = named ? (int)(named - keys) : 0;
+        return named;
     }
     while (key->choices[found] && strcmp(key->choices[found], name) != 0) {
         found++;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "growth.h"
 #include "ink.h"
 
 enum { PATH_POINTS_MAX = 10000 };
@@ -104,6 +105,9 @@ const char *value_allowed(const struct key *key, char *buffer, size_t size)
     }
     case KEY_COEFFICIENT:
         snprintf(buffer, size, "the name of a coefficient");
+        break;
+    case KEY_GROWTH:
+        snprintf(buffer, size, "the name of an option of frond grow");
         break;
     case KEY_TEXT:
         snprintf(buffer, size, "%s, %.10g to %.10g bytes", *unit ? unit : "text", key->min, key->max);
@@ -470,6 +474,10 @@ bool value_read(struct reader *reader, const struct key *key, const struct yaml_
     case KEY_BRUSH:
         names = names_of_brushes();
         good = value_choice(reader, &names, "brush", node, &choice);
+        break;
+    case KEY_GROWTH:
+        names = names_of_keys(growth_keys);
+        good = value_choice(reader, &names, "option", node, &choice);
         break;
     case KEY_COEFFICIENT:
         names = names_of_keys(coefficient_keys);

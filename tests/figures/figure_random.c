@@ -3,14 +3,12 @@
 #include <string.h>
 
 #include "brush.h"
+#include "growth.h"
 #include "figure.h"
 #include "random.h"
 #include "subject.h"
 
 enum { SIDE = 96, TICKS = 20000, EVERY_ACTION = 40, EVERY_CHECK = 50, PATH = 6, RASTER = 12, SHOWN = 5 };
-
-/* Liquid that running water has thinned is no multiple of the dead band any more: its sums are 0 but for rounding. */
-static const float ROUNDING = 1e-9f;
 
 struct chance {
     uint32_t seed;
@@ -58,6 +56,9 @@ static int count_of(const struct key *key)
         while (brushes[count].name) {
             count++;
         }
+    }
+    if (key->type == KEY_GROWTH) {
+        return key_count(growth_keys);
     }
     return key->type == KEY_COEFFICIENT ? key_count(coefficient_keys) : key->type == KEY_INK ? PAINTING_INKS : count;
 }
@@ -132,7 +133,7 @@ static void look(struct subject *subject, struct unsound *unsound)
         bool density = field <= PAINTING_SOLVENT || field == PAINTING_INK ||
                        (field >= PAINTING_WET && field < PAINTING_DRY + PAINTING_INKS);
         for (size_t i = 0; i < subject->cells; i++) {
-            bool strange = !isfinite(plane[i]), negative = density && plane[i] < -ROUNDING;
+            bool strange = !isfinite(plane[i]), negative = density && plane[i] < 0.0f;
             bool high = field == PAINTING_CATALYST && plane[i] > 1.0f + 1e-6f;
             if ((strange || negative || high) && !unsound->field) {
                 unsound->field = painting_field_name((enum painting_field)field);
