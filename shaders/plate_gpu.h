@@ -1,6 +1,6 @@
 /* Plates (plate.h) over a finished sheet, on the GPU: what is shown now, and what was shown before it, the one turning
- * into the other. As plate_reveal, within 1 of 255. Lives in the GL context that is current when it is made; every call
- * wants that context. After a context is lost: destroy, create, set anew (nothing is kept here).
+ * into the other. As plate_reveal, within 1 of 255, seldom 2. Lives in the GL context that is current when it is made;
+ * every call wants that context. After a context is lost: destroy, create, set anew (nothing is kept here).
  *
  *     plate_gpu_set(plate, &from);                  or, with no frame that waits for it, frame by frame:
  *     while (plate_gpu_bring(plate, &from, 64) == PLATE_COMING) { ... a frame ... }
