@@ -7,6 +7,7 @@ enum { ID_BYTES = 40, TOPIC_BYTES = 100 };
 
 static const char *const ENGINES[] = {"auto", "cpu", "gpu", NULL};
 static const char *const TURNS[] = {"0", "90", "180", "270", NULL};
+static const char *const KINDS[] = {"painting", "trees", NULL};
 static const char *const SIDES[] = {"left", "right", "bottom", "none", NULL};
 
 const char *const exhibit_tool_names[] = {"drop", "brush", "guide", "pour", "mask", "rewind", NULL};
@@ -71,7 +72,8 @@ const struct key exhibit_keys[] = {
     SECTION("scenes", "A list of what is painted, one scene after the other; a single one with every default if left "
                       "out."),
     TEXT("pictures", EXHIBIT, pictures, "the path of a folder", EXHIBIT_PATH_BYTES, false,
-         "A folder of pictures along whose edges every second painting grows that the sheet paints by itself."),
+         "A folder of pictures: scenes of trees grow over them, and along their edges every second painting that the "
+         "sheet paints by itself."),
     SECTION("sessions", "A list of recorded sessions, by their paths, that are painted while nobody else paints."),
     SECTION("palette", "The buttons at the edge of the sheet."),
     SECTION("seats", "A list of places for visitors side by side; one place for all if left out."),
@@ -127,6 +129,9 @@ const struct key palettes_keys[] = {
 const struct key scene_keys[] = {
     TEXT("id", SCENE, id, "a word", ID_BYTES, true, "What the staff's view and the log call the scene."),
     SECTION("title", "What visitors call it, by language: {en: ..., fr: ...}."),
+    CHOICE("kind", SCENE, kind, KINDS, SCENE_PAINTING,
+           "What it is: ink on a wet sheet, or trees and dendrites that grow over pictures."),
+    SECTION("trees", "How they grow in a scene of trees, as `frond grow` does it, and over which picture first."),
     SECTION("inks", "A list of one to four inks, by name."),
     SECTION("palette", "Four inks at once, by the id of a palette of the exhibit's own or the name of a shipped one, "
                        "instead of inks; the first shipped one if both are left out."),

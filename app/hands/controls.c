@@ -96,7 +96,7 @@ static void feel_control(struct controls *controls, const struct event *event)
 /* What the fingers' strokes have gathered is painted. */
 static void flush(struct controls *controls, int finger)
 {
-    struct stroke *stroke = &controls->strokes[finger];
+    struct hand_stroke *stroke = &controls->strokes[finger];
     if (!stroke_grew(stroke)) {
         return;
     }

@@ -196,7 +196,7 @@ void controls_tap(struct controls *controls, int visitor, struct point at, uint6
     bool controller = owner >= 0 && owner < OWNERS && controls->owners[owner].ink >= 0;
     struct cause cause = {
         .finger = controller ? NOBODY : TAPPER, .owner = controller ? owner : NOBODY, .at = at, .time_us = time_us};
-    struct stroke dab = {.points = {at, at}, .count = 2, .time_us = time_us};
+    struct hand_stroke dab = {.points = {at, at}, .count = 2, .time_us = time_us};
     dab.points[at.x < 0.5f ? 1 : 0].x += at.x < 0.5f ? GESTURE_STEP : -GESTURE_STEP; /* rightwards, on the sheet */
     int seat = controls_seat_at(controls, at);
     if (controller) {

@@ -42,7 +42,7 @@ struct contact {
     bool spent; /* of a visit that is over: nothing comes of it but the end of a switch */
     bool owes;  /* a switch whose end is still to be told */
     struct press press;
-    struct stroke stroke; /* of the cursor since it is down, for verbs with a path */
+    struct hand_stroke stroke; /* of the cursor since it is down, for verbs with a path */
 };
 
 struct known { /* which entries of the file a device is: a bit each */
@@ -64,7 +64,7 @@ struct queued {
 struct cause {
     int finger, owner; /* one of them is NOBODY */
     struct point at;
-    const struct stroke *stroke; /* NULL: a point */
+    const struct hand_stroke *stroke; /* NULL: a point */
     bool down;
     uint64_t time_us, length_us;
 };
@@ -77,7 +77,7 @@ struct controls {
     int seat_count;
     int finger_seat[GESTURE_FINGERS + 1], finger_ink[GESTURE_FINGERS + 1];
     enum exhibit_tool finger_tool[GESTURE_FINGERS + 1];
-    struct stroke strokes[GESTURE_FINGERS];
+    struct hand_stroke strokes[GESTURE_FINGERS];
     bool paired[GESTURE_FINGERS]; /* the stroke is that of two fingers */
     int next_ink, shared_ink;
     struct owner owners[OWNERS];
