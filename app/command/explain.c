@@ -189,6 +189,7 @@ static void explain_tables(struct explaining *explaining, const struct inputs_ta
 
 bool explain(const char *asked, FILE *out)
 {
+    struct key trees[EXHIBIT_TREES_KEYS];
     struct explaining explaining = {.asked = asked, .out = out};
     explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
     explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
@@ -199,6 +200,8 @@ bool explain(const char *asked, FILE *out)
         explain_keys(&explaining, action_name(verb), action_meaning(verb), action_keys(verb));
     }
     explain_tables(&explaining, exhibit_tables);
+    exhibit_trees_keys(trees);
+    explain_keys(&explaining, "trees", "How they grow in a scene of trees; defaults are those of ink.", trees);
     explain_tables(&explaining, inputs_tables);
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
