@@ -55,81 +55,52 @@ void live_garden_destroy(struct live_garden *live)
     free(live);
 }
 
-static void note_scene(struct live_garden *live, const struct script *script, const struct garden_def *def)
+static void note_scene(struct live_garden *live, const struct script *script, bool has)
 {
-    struct live_garden_scene *scene = &live->scenes[live->scene_count++ % LIVE_GARDEN_SCENES];
-    *scene = (struct live_garden_scene){.script = script, .has = def};
-    if (def) {
-        scene->def = *def;
-    }
+    live->scenes[live->scene_count++ % LIVE_GARDEN_SCENES] = (struct live_garden_scene){script, has};
 }
 
-void live_garden_scene(struct live_garden *live, const struct script *script, const struct garden_def *def)
+void live_garden_scene(struct live_garden *live, const struct script *script, bool has)
 {
     pthread_mutex_lock(&live->lock);
-    note_scene(live, script, def);
+    note_scene(live, script, has);
     pthread_mutex_unlock(&live->lock);
 }
 
 /* What was told last of this script. */
-static struct live_garden_scene find_scene(const struct live_garden *live, const struct script *script)
+static bool has_garden(const struct live_garden *live, const struct script *script)
 {
     for (int i = live->scene_count - 1; i >= 0 && i >= live->scene_count - LIVE_GARDEN_SCENES; i--) {
         if (live->scenes[i % LIVE_GARDEN_SCENES].script == script) {
-            return live->scenes[i % LIVE_GARDEN_SCENES];
+            return live->scenes[i % LIVE_GARDEN_SCENES].has;
         }
     }
-    return (struct live_garden_scene){.script = script};
+    return false;
 }
 
-static size_t size_of(const struct key *key)
+/* A garden on which nothing grows, or none; with the lock. */
+static void begin(struct live_garden *live, bool on, int width, int height)
 {
-    return key->type == KEY_NUMBER ? sizeof(float) : key->type == KEY_FLAG ? sizeof(bool) : sizeof(int);
-}
-
-static bool same_growth(const struct growth_def *a, const struct growth_def *b)
-{
-    bool same = true;
-    for (int i = 0; same && growth_keys[i].name; i++) {
-        const struct key *key = &growth_keys[i];
-        bool value =
-            key->type == KEY_NUMBER || key->type == KEY_FLAG || key->type == KEY_INTEGER || key->type == KEY_CHOICE;
-        same = !value || memcmp((const char *)a + key->offset, (const char *)b + key->offset, size_of(key)) == 0;
-    }
-    return same;
-}
-
-static bool same_garden(const struct live_garden_scene *a, const struct live_garden_scene *b)
-{
-    return a->has && b->has && a->def.detail == b->def.detail && !(a->def.ticks < b->def.ticks) &&
-           !(a->def.ticks > b->def.ticks) && same_growth(&a->def.growth, &b->def.growth);
-}
-
-/* The garden of a scene, or none; with the lock. */
-static void begin(struct live_garden *live, const struct live_garden_scene *scene, int width, int height)
-{
-    bool was = live->scene.has;
-    live->scene = *scene;
-    live->sheet.on = scene->has;
-    live->sheet.number += was || scene->has;
+    bool was = live->sheet.on;
+    live->sheet.on = on;
+    live->sheet.number += was || on;
     live->sheet.can_undo = live->sheet.can_redo = 0;
     live_garden_dry(live);
-    if (scene->has) {
-        inbox_begin(&live->inbox, &scene->def, width, height);
+    if (on) {
+        inbox_begin(&live->inbox, width, height);
     } else if (was) {
         inbox_end(&live->inbox);
     }
 }
 
-/* Another script, on the same sheet. The same garden goes on: an edit to a title takes nothing away. */
+/* Another script on the same sheet: what grows there goes on, if anything may. */
 static void change(struct live_garden *live, const struct studio_event *event)
 {
-    struct live_garden_scene next = find_scene(live, event->script);
-    if (same_garden(&live->scene, &next)) {
-        live->scene = next;
+    bool on = has_garden(live, event->script);
+    if (on && live->sheet.on) {
         inbox_resize(&live->inbox, event->def.width, event->def.height);
     } else {
-        begin(live, &next, event->def.width, event->def.height);
+        begin(live, on, event->def.width, event->def.height);
     }
 }
 
@@ -162,7 +133,7 @@ static bool is_wanted(enum action_verb verb)
 
 static void act(struct live_garden *live, int64_t tick, const struct action *action)
 {
-    if (!live->scene.has || !is_wanted(action->verb)) {
+    if (!live->sheet.on || !is_wanted(action->verb)) {
         return;
     }
     inbox_do(&live->inbox, tick, action);
@@ -185,16 +156,14 @@ void live_garden_tell(void *data, const struct studio_event *event)
     pthread_mutex_lock(&live->lock);
     uint64_t sequence = live->inbox.sequence;
     switch (event->kind) {
-    case STUDIO_SHEET: {
-        struct live_garden_scene scene = find_scene(live, event->script);
-        begin(live, &scene, event->def.width, event->def.height);
+    case STUDIO_SHEET:
+        begin(live, has_garden(live, event->script), event->def.width, event->def.height);
         break;
-    }
     case STUDIO_SCENE:
         change(live, event);
         break;
     case STUDIO_GRID:
-        if (live->scene.has) {
+        if (live->sheet.on) {
             inbox_resize(&live->inbox, event->def.width, event->def.height);
         }
         break;
@@ -213,54 +182,39 @@ void live_garden_tell(void *data, const struct studio_event *event)
     pthread_mutex_unlock(&live->lock);
 }
 
-/* Once through a journal; with the lock. */
+/* Once through a journal, to its end, with the lock: what was done since the sheet was fresh, or had another scene. */
 static void read_journal(struct live_garden *live, struct journal_reader *reader)
 {
-    const struct live_garden_scene scene = live->scene;
     struct journal_record record;
     char id[BYTES_TEXT] = "";
     while (journal_next(reader, &record)) {
-        switch (record.kind) {
-        case JOURNAL_SCENE:
-            if (strcmp(id, record.sheet.scene) == 0) {
-                inbox_resize(&live->inbox, record.sheet.def.width, record.sheet.def.height);
-                break;
-            } /* fall through */
-        case JOURNAL_SHEET:
+        bool same = record.kind == JOURNAL_SCENE && live->sheet.on && strcmp(id, record.sheet.scene) == 0;
+        if (record.kind == JOURNAL_SHEET || (record.kind == JOURNAL_SCENE && !same)) {
             inbox_finish(&live->inbox);
             memcpy(id, record.sheet.scene, sizeof id);
-            begin(live, &scene, record.sheet.def.width, record.sheet.def.height);
-            break;
-        case JOURNAL_GRID:
+            begin(live, true, record.sheet.def.width, record.sheet.def.height);
+        } else if (same) {
+            inbox_resize(&live->inbox, record.sheet.def.width, record.sheet.def.height);
+        } else if (record.kind == JOURNAL_GRID) {
             inbox_resize(&live->inbox, record.grid.width, record.grid.height);
-            break;
-        case JOURNAL_ACTION:
+        } else if (record.kind == JOURNAL_ACTION) {
             act(live, record.ticked, &record.action);
-            break;
-        default:
-            break;
         }
     }
+    live->ticked = reader->ticked;
 }
 
-bool live_garden_resume(struct live_garden *live, const struct script *script, const struct garden_def *def,
-                        const void *journal, size_t size)
+bool live_garden_resume(struct live_garden *live, const struct script *script, const void *journal, size_t size)
 {
     struct journal_reader reader;
     struct journal_error error;
     pthread_mutex_lock(&live->lock);
-    note_scene(live, script, def);
-    live->scene = find_scene(live, script);
-    bool good = journal && def && journal_open(&reader, journal, size, &error);
+    note_scene(live, script, true);
+    begin(live, true, script->width, script->height);
+    bool good = journal && journal_open(&reader, journal, size, &error);
     if (good) {
         read_journal(live, &reader);
-        live->ticked = reader.ticked;
         journal_close(&reader);
-    }
-    if (live->inbox.count == 0) {
-        struct live_garden_scene scene = live->scene;
-        begin(live, &scene, script->width, script->height);
-        good = false;
     }
     pthread_cond_broadcast(&live->changed);
     pthread_mutex_unlock(&live->lock);

@@ -3,7 +3,7 @@
  * at its tick, so that the journal repeats it. Where the scene has no garden, and where nothing is done, it costs
  * nothing.
  *
- *     live_garden_scene(garden, script, &def);      in the display's thread: this script has a garden
+ *     live_garden_scene(garden, script, true);      in the display's thread: this script has a garden
  *     teller = {live_garden_tell, garden};          in the studio's
  *     newest = live_garden_newest(garden, &fresh);  in the display's; never waits
  *
@@ -31,15 +31,15 @@ struct live_garden *live_garden_create(void);
 /* After the studio. Waits for a plan that is being made. Takes NULL. */
 void live_garden_destroy(struct live_garden *garden);
 
-/* From the moment on that the studio paints this script, there is a garden of this definition (its size is the
- * sheet's); NULL: there is none. The last four that were told are known. */
-void live_garden_scene(struct live_garden *garden, const struct script *script, const struct garden_def *def);
+/* From the moment on that the studio paints this script (only compared), there is a garden (garden_default_def), or
+ * none. The last four that were told are known; others have none. A fresh sheet has an empty garden, on which
+ * ACTION_STOCK and ACTION_SHAPE come; under another script with a garden what has grown stays. */
+void live_garden_scene(struct live_garden *garden, const struct script *script, bool has);
 /* For struct studio_teller, in the studio's thread; `data` is the garden. Quick. */
 void live_garden_tell(void *data, const struct studio_event *event);
-/* Before the studio begins: the garden as the journal of a sheet leaves it, with the actions since the sheet was fresh
- * or had another scene. `def` as of live_garden_scene. False: it cannot be read, and there is an empty garden. */
-bool live_garden_resume(struct live_garden *garden, const struct script *script, const struct garden_def *def,
-                        const void *journal, size_t size);
+/* Before the studio begins: the garden as the journal of a sheet leaves it, with what was done since the sheet was
+ * fresh or had another scene. False: there is no journal, or it cannot be read; the garden is empty then. */
+bool live_garden_resume(struct live_garden *garden, const struct script *script, const void *journal, size_t size);
 
 /* Pixels of the plates from now on; 0: none is painted. */
 void live_garden_size(struct live_garden *garden, int width, int height);

@@ -34,23 +34,11 @@ static void finish_order(struct garden_order *order)
 {
     free((void *)(uintptr_t)order->action.path.points);
     free((void *)(uintptr_t)order->action.picture.values);
-    free(order->def);
 }
 
-bool inbox_begin(struct inbox *inbox, const struct garden_def *def, int width, int height)
+bool inbox_begin(struct inbox *inbox, int width, int height)
 {
-    struct garden_order order = {.kind = GARDEN_BEGIN, .def = malloc(sizeof *order.def)};
-    if (!order.def) {
-        return false;
-    }
-    *order.def = *def;
-    order.def->width = width;
-    order.def->height = height;
-    bool good = put(inbox, &order);
-    if (!good) {
-        finish_order(&order);
-    }
-    return good;
+    return put(inbox, &(struct garden_order){.kind = GARDEN_BEGIN, .width = width, .height = height});
 }
 
 bool inbox_end(struct inbox *inbox)

@@ -12,7 +12,7 @@
 enum { LIVE_GARDEN_SCENES = 4, LIVE_GARDEN_INBOX = 1 << 16 };
 
 enum garden_order_kind {
-    GARDEN_BEGIN,  /* another garden: `def` */
+    GARDEN_BEGIN,  /* another garden, for a sheet of `width` x `height` cells */
     GARDEN_END,    /* none */
     GARDEN_RESIZE, /* the sheet has `width` x `height` cells */
     GARDEN_DO,     /* `action`, whose path and picture are its own */
@@ -22,7 +22,6 @@ struct garden_order {
     enum garden_order_kind kind;
     int64_t tick;
     struct action action;
-    struct garden_def *def;
     int width, height;
 };
 
@@ -32,7 +31,7 @@ struct inbox {
     uint64_t sequence; /* of the last order, 1.. */
 };
 /* False when memory is short, or nobody has taken anything for long: it is left out then. */
-bool inbox_begin(struct inbox *inbox, const struct garden_def *def, int width, int height);
+bool inbox_begin(struct inbox *inbox, int width, int height);
 bool inbox_end(struct inbox *inbox);
 bool inbox_resize(struct inbox *inbox, int width, int height);
 bool inbox_do(struct inbox *inbox, int64_t tick, const struct action *action);
@@ -41,7 +40,6 @@ void inbox_finish(struct inbox *inbox); /* what is in it; takes a zeroed one */
 struct live_garden_scene {
     const struct script *script; /* only compared */
     bool has;
-    struct garden_def def;
 };
 
 struct live_garden {
@@ -50,8 +48,8 @@ struct live_garden {
     pthread_cond_t changed;
     bool stop;
     struct inbox inbox;
-    struct live_garden_scene scenes[LIVE_GARDEN_SCENES], scene; /* told; now */
-    int scene_count;                                            /* told so far */
+    struct live_garden_scene scenes[LIVE_GARDEN_SCENES];
+    int scene_count; /* told so far */
     int64_t ticked;
     double ticked_s, period_s; /* when the last tick was, and how long it took from the one before */
     struct live_garden_sheet sheet;

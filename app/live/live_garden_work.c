@@ -53,10 +53,13 @@ static void act(struct live_garden *live, const struct garden_order *order, doub
 
 static void take_order(struct live_garden *live, const struct garden_order *order, double now_s)
 {
+    struct garden_def def = garden_default_def();
     switch (order->kind) {
     case GARDEN_BEGIN:
         garden_destroy(live->garden);
-        live->garden = garden_create(order->def);
+        def.width = order->width;
+        def.height = order->height;
+        live->garden = garden_create(&def);
         want(live, now_s);
         break;
     case GARDEN_END:
