@@ -255,6 +255,14 @@ bool live_garden_has_newer(struct live_garden *live)
     return newer;
 }
 
+bool live_garden_is_calm(struct live_garden *live)
+{
+    pthread_mutex_lock(&live->lock);
+    bool calm = live->inbox.count == 0 && !live->works && !live->wanted;
+    pthread_mutex_unlock(&live->lock);
+    return calm;
+}
+
 struct live_garden_sheet live_garden_sheet(struct live_garden *live, double now_s)
 {
     pthread_mutex_lock(&live->lock);

@@ -55,6 +55,8 @@ struct live_garden_plate {
 const struct live_garden_plate *live_garden_newest(struct live_garden *garden, bool *fresh);
 /* Whether another one is there. */
 bool live_garden_has_newer(struct live_garden *garden);
+/* Whether all that was told has been planned. */
+bool live_garden_is_calm(struct live_garden *garden);
 
 struct live_garden_sheet {
     bool on;                     /* the scene has a garden */

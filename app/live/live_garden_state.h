@@ -58,12 +58,13 @@ struct live_garden {
     struct live_garden_plate plates[3];
     int front, ready, back; /* the display's, the newest, the thread's */
     bool fresh;             /* the newest is newer than the display's */
+    bool works;             /* the thread does something, without the lock */
+    bool wanted;            /* a plan, or a plate of another size; changed by the thread */
 
     /* The thread's alone. */
     struct garden *garden;
     int painted_width, painted_height;
     double grow_s, grown_s; /* when to plan; when it was planned last */
-    bool wanted;            /* a plan, or a plate of another size */
 };
 
 /* No water runs, or has; with the lock. */

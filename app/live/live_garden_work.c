@@ -150,6 +150,7 @@ static void grow(struct live_garden *live)
     made->sheet = live->sheet.number;
     made->sequence = live->inbox.sequence;
     live->wanted = false;
+    live->works = true;
     pthread_mutex_unlock(&live->lock);
     double began = bench_wall_s();
     bool good = !live->garden || !garden_due(live->garden) || garden_grow(live->garden);
@@ -162,6 +163,7 @@ static void grow(struct live_garden *live)
     live->painted_width = width;
     live->painted_height = height;
     pthread_mutex_lock(&live->lock);
+    live->works = false;
     if (!good) {
         want(live, painted + RETRY_S);
     } else if (made->sheet == live->sheet.number) {
@@ -188,9 +190,11 @@ static bool step(struct live_garden *live)
     if (live->inbox.count > 0) {
         struct inbox taken = live->inbox;
         live->inbox = (struct inbox){.sequence = taken.sequence};
+        live->works = true;
         pthread_mutex_unlock(&live->lock);
         take_all(live, &taken);
         pthread_mutex_lock(&live->lock);
+        live->works = false;
         note_undo(live);
         return true;
     }
