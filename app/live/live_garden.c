@@ -83,6 +83,7 @@ static void begin(struct live_garden *live, bool on, int width, int height)
 {
     bool was = live->sheet.on;
     live->sheet.on = on;
+    live->cells = width;
     live->sheet.number += was || on;
     live->sheet.can_undo = live->sheet.can_redo = 0;
     live_garden_dry(live);
@@ -93,32 +94,37 @@ static void begin(struct live_garden *live, bool on, int width, int height)
     }
 }
 
+static void resize(struct live_garden *live, int width, int height)
+{
+    live->cells = width;
+    inbox_resize(&live->inbox, width, height);
+}
+
 /* Another script on the same sheet: what grows there goes on, if anything may. */
 static void change(struct live_garden *live, const struct studio_event *event)
 {
     bool on = has_garden(live, event->script);
     if (on && live->sheet.on) {
-        inbox_resize(&live->inbox, event->def.width, event->def.height);
+        resize(live, event->def.width, event->def.height);
     } else {
         begin(live, on, event->def.width, event->def.height);
     }
 }
 
-/* The water of a front; that of a disc takes little. */
+/* Under a front it is as far as the front is past, under a disc what the disc has taken. */
 static void rinse(struct live_garden *live, const struct action *action)
 {
     const struct painting_def sheet = {.width = LIVE_WATER_WIDTH, .height = LIVE_WATER_HEIGHT};
     struct action legal = action_legal(action);
     struct rinse water;
     float turn;
-    if (legal.path.count == 0) {
-        return;
-    }
+    legal.radius *= (float)LIVE_WATER_WIDTH / (float)live->cells;
     rinse_begin(&water, &sheet, &legal);
     for (int y = water.cells.y0; y < water.cells.y1; y++) {
         for (int x = water.cells.x0; x < water.cells.x1; x++) {
-            float *place = &live->water[y * LIVE_WATER_WIDTH + x];
-            *place = fmaxf(*place, rinse_phase(&water, x, y, &turn));
+            float *place = &live->water[y * LIVE_WATER_WIDTH + x], phase = rinse_phase(&water, x, y, &turn);
+            float disc = 1 - (1 - *place) * (1 - rinse_shares(phase, legal.strength).thins);
+            *place = water.disc ? disc : fmaxf(*place, phase);
         }
     }
     live->sheet.rinsed = true;
@@ -164,7 +170,7 @@ void live_garden_tell(void *data, const struct studio_event *event)
         break;
     case STUDIO_GRID:
         if (live->sheet.on) {
-            inbox_resize(&live->inbox, event->def.width, event->def.height);
+            resize(live, event->def.width, event->def.height);
         }
         break;
     case STUDIO_ACTION:
@@ -194,9 +200,9 @@ static void read_journal(struct live_garden *live, struct journal_reader *reader
             memcpy(id, record.sheet.scene, sizeof id);
             begin(live, true, record.sheet.def.width, record.sheet.def.height);
         } else if (same) {
-            inbox_resize(&live->inbox, record.sheet.def.width, record.sheet.def.height);
+            resize(live, record.sheet.def.width, record.sheet.def.height);
         } else if (record.kind == JOURNAL_GRID) {
-            inbox_resize(&live->inbox, record.grid.width, record.grid.height);
+            resize(live, record.grid.width, record.grid.height);
         } else if (record.kind == JOURNAL_ACTION) {
             act(live, record.ticked, &record.action);
         }

@@ -50,6 +50,7 @@ struct live_garden {
     struct inbox inbox;
     struct live_garden_scene scenes[LIVE_GARDEN_SCENES];
     int scene_count; /* told so far */
+    int cells;       /* of the sheet, across */
     int64_t ticked;
     double ticked_s, period_s; /* when the last tick was, and how long it took from the one before */
     struct live_garden_sheet sheet;

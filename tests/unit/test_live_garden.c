@@ -330,7 +330,7 @@ static void water_runs_without_a_plan(void **state)
         top += there && i < WIDTH * HEIGHT / 6;
         bottom += there && i > WIDTH * HEIGHT * 2 / 3;
     }
-    assert_true(top == 0 && bottom > 0);
+    assert_true(bottom > 100 && top < bottom / 50);
     struct action clear = action_default(ACTION_CLEAR);
     act(&place, &clear);
     plate = settle(&place);
