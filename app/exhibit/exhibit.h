@@ -81,15 +81,29 @@ enum exhibit_tool { /* what a finger on the sheet does; the order on the palette
                     TOOL_POUR,
                     TOOL_MASK,
                     TOOL_REWIND, /* the time brush */
+                    TOOL_PLANT,  /* this and those below are for scenes of trees */
+                    TOOL_TEND,   /* what is under the finger is more important */
+                    TOOL_THIN,   /* less important */
                     TOOLS,
 };
 
 extern const char *const exhibit_tool_names[]; /* "drop", "brush", ...; ends with NULL */
 
+/* The tool that every scene of a kind has, the first of its tools. */
+static inline enum exhibit_tool tool_first(int kind)
+{
+    return kind == SCENE_TREES ? TOOL_PLANT : TOOL_DROP;
+}
+
+static inline bool tool_fits(int tool, int kind)
+{
+    return tool >= 0 && tool < TOOLS && (tool >= TOOL_PLANT) == (kind == SCENE_TREES);
+}
+
 enum exhibit_side { SIDE_OF_LEFT, SIDE_OF_RIGHT, SIDE_OF_BOTTOM, SIDE_OF_NONE };
 
 struct exhibit_palette { /* the heads-up one, not that of inks */
-    bool tools[TOOLS];   /* which are offered; drop always is */
+    bool tools[TOOLS];   /* which are offered; drop and plant always are */
     bool undo, finish;   /* undo: with redo */
     bool hand;           /* a button that moves it to the other side, for the other hand */
     bool seated;         /* a button that makes the reach-limited zone */

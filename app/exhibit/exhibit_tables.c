@@ -10,7 +10,8 @@ static const char *const TURNS[] = {"0", "90", "180", "270", NULL};
 static const char *const KINDS[] = {"painting", "trees", NULL};
 static const char *const SIDES[] = {"left", "right", "bottom", "none", NULL};
 
-const char *const exhibit_tool_names[] = {"drop", "brush", "guide", "pour", "mask", "rewind", NULL};
+const char *const exhibit_tool_names[] = {"drop",   "brush", "guide", "pour", "mask",
+                                          "rewind", "plant", "tend",  "thin", NULL};
 const char *const corner_names[] = {"top left", "top right", "bottom right", "bottom left", NULL};
 const char *const day_names[] = {"mon", "tue", "wed", "thu", "fri", "sat", "sun", NULL};
 
@@ -147,8 +148,9 @@ const struct key scene_keys[] = {
 
 #define HUD struct exhibit_palette
 const struct key hud_keys[] = {
-    SECTION("tools", "A list of what a finger may do, of drop, brush, guide, pour, mask, rewind; all if left out, and "
-                     "drop always."),
+    SECTION("tools",
+            "A list of what a finger may do, of drop, brush, guide, pour, mask, rewind, and in scenes of trees "
+            "plant, tend, thin; all if left out, and drop and plant always."),
     FLAG("undo", HUD, undo, 1, "Whether there are buttons that take back, and bring back, what a visitor did last."),
     FLAG("finish", HUD, finish, 1, "Whether there is a button for a picture that is finished."),
     FLAG("hand", HUD, hand, 1,
@@ -257,6 +259,11 @@ const struct key text_keys[TEXTS + 1] = {
     [TEXT_POUR] = WORDS("pour", "On the button for pouring."),
     [TEXT_MASK] = WORDS("mask", "On the button for places that stay free."),
     [TEXT_REWIND] = WORDS("rewind", "On the button for the time brush."),
+    [TEXT_PLANT] = WORDS("plant", "On the button for planting, in scenes of trees."),
+    [TEXT_TEND] = WORDS("tend", "On the button that makes a place of the picture more important."),
+    [TEXT_THIN] = WORDS("thin", "On the button that makes a place less important."),
+    [TEXT_PICTURE] = WORDS("picture", "On the button for the next picture."),
+    [TEXT_METAPHOR] = WORDS("metaphor", "On the button for what grows: ink, vines, frost."),
     [TEXT_UNDO] = WORDS("undo", "On the button that takes back what was done last."),
     [TEXT_REDO] = WORDS("redo", "On the button that brings it back."),
     [TEXT_FINISH] = WORDS("finish", "On the button for a finished picture."),

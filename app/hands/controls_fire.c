@@ -137,6 +137,10 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         controls_nudge(controls, index, cause);
         return;
     }
+    if (binding->action.verb == ACTION_HOLD && cause->finger != NOBODY && cause->finger != TAPPER) {
+        controls_hold(controls, index, cause);
+        return;
+    }
     struct queued *queued = push(controls, cause->time_us);
     if (!queued) {
         return;
@@ -181,7 +185,8 @@ static void drop_anyway(struct controls *controls, const struct cause *cause)
 {
     struct queued *queued = push(controls, cause->time_us);
     if (queued) {
-        queued->action = action_default(ACTION_DROP);
+        bool trees = tool_fits((int)controls->finger_tool[TAPPER], SCENE_TREES);
+        queued->action = action_default(trees ? ACTION_PLANT : ACTION_DROP);
         queued->action.visitor = controls_visitor_of(controls, cause);
         queued->action.ink = controls_ink_of(controls, cause) % controls->def.inks;
         queued->action.at = cause->at;
@@ -211,6 +216,30 @@ void controls_tap(struct controls *controls, int visitor, struct point at, uint6
     if (fire_all(controls, drags, &cause) == 0) {
         drop_anyway(controls, &cause);
     }
+}
+
+bool controls_push_shape(struct controls *controls, int growth, float value, uint64_t time_us)
+{
+    struct queued *queued = push(controls, time_us);
+    if (queued) {
+        queued->action = action_default(ACTION_SHAPE);
+        queued->action.growth = growth;
+        queued->action.value = value;
+    }
+    return queued;
+}
+
+bool controls_push_hold(struct controls *controls, int hand, const struct action *bound, const struct point *at,
+                        uint64_t time_us)
+{
+    struct queued *queued = push(controls, time_us);
+    if (queued) {
+        queued->action = *bound;
+        queued->action.visitor = hand;
+        queued->action.has_at = at;
+        queued->action.at = at ? *at : (struct point){0, 0};
+    }
+    return queued;
 }
 
 void controls_push_set(struct controls *controls, int coefficient, float value, uint64_t time_us)

@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "controls_state.h"
+#include "growth.h"
 #include "hid_usage.h"
 
 enum { BURST = 4 }; /* what a dial does at once, at most, however fast it is turned */
@@ -12,6 +13,11 @@ static const uint64_t PAUSE_US = 100000; /* a longer one is no motion */
 static float into(float value)
 {
     return value > 0 ? value < 1 ? value : 1 : 0; /* NaN becomes 0 */
+}
+
+static bool turns_growth(const struct binding *binding)
+{
+    return binding->what == DO_TURN && binding->growth >= 0;
 }
 
 static bool senses(const struct binding *binding, float value)
@@ -137,6 +143,30 @@ void controls_nudge(struct controls *controls, int index, const struct cause *ca
     }
 }
 
+/* What grows is to have another value: whole numbers and choices change where they do, and all of them not too often.
+ */
+static void run_shape(struct controls *controls, int index, uint64_t now_us)
+{
+    const struct binding *binding = controls_binding(controls, index);
+    const struct key *key = &growth_keys[binding->growth];
+    float value = axis_value(&controls->axes[index], &binding->axis);
+    if (!controls->shapes[index] ||
+        (controls->shaped_us[index] && now_us < controls->shaped_us[index] + CONTROLS_SHAPE_US)) {
+        return;
+    }
+    value = key->type == KEY_NUMBER ? value : roundf(value);
+    bool other = fabsf(value - controls->shaped[index]) > 0;
+    if (other && !controls_push_shape(controls, binding->growth, value, controls->axis_time_us[index])) {
+        return;
+    }
+    controls->shapes[index] = false;
+    controls->axis_time_us[index] = 0;
+    if (other) {
+        controls->shaped[index] = value;
+        controls->shaped_us[index] = now_us;
+    }
+}
+
 void controls_run_values(struct controls *controls, uint64_t now_us)
 {
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
@@ -146,7 +176,13 @@ void controls_run_values(struct controls *controls, uint64_t now_us)
             controls->has_moved[i] = false;
             controls_fire(controls, i, &controls->moved[i]);
         }
-        if (!turns || !axis_run(&controls->axes[i], &binding->axis, now_us)) {
+        bool told = turns && axis_run(&controls->axes[i], &binding->axis, now_us);
+        if (turns_growth(binding)) {
+            controls->shapes[i] = controls->shapes[i] || told;
+            run_shape(controls, i, now_us);
+            continue;
+        }
+        if (!told) {
             continue;
         }
         float value = axis_value(&controls->axes[i], &binding->axis);
@@ -185,9 +221,24 @@ static float initial_value(const struct controls_def *def, const struct binding 
     if (binding->what == DO_DIAL) {
         return (float)key_find(action_keys(ACTION_DROP), NAMES[binding->parameter])->initial;
     }
+    if (turns_growth(binding)) {
+        return growth_value(&def->growth, binding->growth);
+    }
     const struct key *key = &coefficient_keys[binding->coefficient];
     const char *at = (const char *)&def->coefficients + key->offset;
     return key->type == KEY_NUMBER ? *(const float *)(const void *)at : (float)*(const int *)(const void *)at;
+}
+
+void controls_reset_shapes(struct controls *controls)
+{
+    for (int i = 0; i < controls->def.inputs->binding_count; i++) {
+        const struct binding *binding = controls_binding(controls, i);
+        if (turns_growth(binding)) {
+            controls->shaped[i] = initial_value(&controls->def, binding);
+            controls->axes[i] = axis_start(&binding->axis, controls->shaped[i]);
+            controls->shapes[i] = false;
+        }
+    }
 }
 
 void controls_reset_values(struct controls *controls)
@@ -201,6 +252,7 @@ void controls_reset_values(struct controls *controls)
         controls->rest[i] = 0;
         controls->has_moved[i] = false;
     }
+    controls_reset_shapes(controls);
     for (int i = 0; i < PARAMETERS; i++) {
         controls->has_drop[i] = false;
     }
@@ -211,7 +263,7 @@ bool controls_values_move(const struct controls *controls)
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         enum binding_do what = controls_binding(controls, i)->what;
         bool turns = what == DO_TURN || what == DO_DIAL;
-        if (controls->has_moved[i] || (turns && axis_moves(&controls->axes[i]))) {
+        if (controls->has_moved[i] || controls->shapes[i] || (turns && axis_moves(&controls->axes[i]))) {
             return true;
         }
     }
