@@ -55,7 +55,14 @@ void exhibit_read_words(struct reader *reader, const struct yaml_node *root, con
 void exhibit_read_texts(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 /* After languages and sheet. */
 void exhibit_read_scenes(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
+/* `trees` of a scene that has been read as far as its kind. */
+void exhibit_read_trees(struct reader *reader, const struct yaml_node *item, const struct exhibit *exhibit,
+                        struct exhibit_scene *scene);
 void exhibit_read_files(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
+/* A picture can be read; if not, that is reported. */
+void exhibit_check_picture(struct reader *reader, const struct yaml_node *at, const char *path);
+/* Whether the folder `pictures` can be read and holds none. */
+bool exhibit_is_bare(const struct exhibit *exhibit);
 void exhibit_read_palette(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 void exhibit_read_hours(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 void exhibit_read_staff(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);

@@ -162,6 +162,7 @@ static void read_scene(struct reader *reader, const struct yaml_node *item, int 
         mapping_read(reader, scene_keys, item, scene, &reading);
         check_id(reader, item, exhibit);
         exhibit_read_words(reader, item, "title", exhibit, &scene->title);
+        exhibit_read_trees(reader, item, exhibit, scene);
         read_inks(reader, item, scenes);
         script_read_painting(reader, item);
         read_picture(reader, item, "mask", ACTION_MASK, scene);

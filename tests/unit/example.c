@@ -80,6 +80,7 @@ static void add_tables(struct example *example)
         {"cursor", "inputs.bindings[].cursor"},
         {"length", "inputs.bindings[].length"},
     };
+    struct key trees[EXHIBIT_TREES_KEYS];
     const struct inputs_table *const files[] = {exhibit_tables, inputs_tables};
     for (int f = 0; f < 2; f++) {
         for (const struct inputs_table *one = files[f]; one->name; one++) {
@@ -91,6 +92,8 @@ static void add_tables(struct example *example)
         }
     }
     add(example, "scenes[].painting", coefficient_keys);
+    exhibit_trees_keys(trees);
+    add(example, "scenes[].trees", trees);
     add_verbs(example);
 }
 
