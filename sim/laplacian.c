@@ -7,7 +7,7 @@
 #include "laplacian_state.h"
 
 static const float OFF_GRID_SPACING = 0.7f;
-enum { QUICK_FROM = 6000 /* candidates from which the fast method is quicker */ };
+enum { QUICK_FROM = 3000 /* candidates from which the fast method is quicker */ };
 
 const struct laplacian_kernels *laplacian_kernels_best(void)
 {

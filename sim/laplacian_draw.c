@@ -6,7 +6,7 @@
 #include "memory.h"
 
 enum { TRIALS_MAX = 256 };
-static const float MARGIN = 0.02f;   /* of the spread, that the bound lies above the greatest load */
+static const float MARGIN = 0.03f;   /* of the spread, that the bound lies above the greatest load */
 static const float ETA_STEP = 0.05f; /* eta may change by, before all are weighed again */
 
 double laplacian_random(struct laplacian *laplacian)

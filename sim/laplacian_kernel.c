@@ -14,7 +14,7 @@
 
 #define ALWAYS static inline __attribute__((always_inline))
 
-enum { LANES = 8, STACK = 512, PAIRS_MAX = 6 };
+enum { LANES = 8, STACK = 512, LEAVES = 256, LINE = 16 /* floats of a line of the cache */ };
 static const float RADIUS_SQUARED = 0.25f; /* of a charge, R1 = h / 2 (section III.A) */
 
 typedef float lanes __attribute__((vector_size(32)));
@@ -156,19 +156,39 @@ static void range(const float *loads, int32_t count, float *least, float *most)
     }
 }
 
-static void weigh(const float *restrict loads, int32_t count, const struct laplacian_weighing *weighing,
-                  float *restrict weights)
+/* exponential2 and logarithm2 of exponential.h, a lane each. */
+ALWAYS lanes power_of(lanes x, float y)
 {
-    const float most = weighing->most, scale = weighing->scale, eta = weighing->eta;
-    if (eta == 0) {
-        for (int32_t i = 0; i < count; i++) {
-            weights[i] = 1;
-        }
-        return;
+    marks bits = (marks)choose(x < 1e-30f, all(1e-30f), x), shifted = bits - 0x3f3504f3;
+    marks whole = shifted >> 23;
+    lanes m = (lanes)(bits - (whole << 23));
+    lanes s = (m - 1.0f) / (m + 1.0f), q = s * s;
+    lanes p = ((all(0.41219859f) * q + 0.57707802f) * q + 0.96179669f) * q + 2.88539008f;
+    lanes e = y * (__builtin_convertvector(whole, lanes) + s * p);
+    e = choose(e < -126.0f, all(-126), e);
+    e = choose(e > 126.0f, all(126), e);
+    marks power = __builtin_convertvector(e + choose(e < 0.0f, all(-0.5f), all(0.5f)), marks);
+    lanes f = e - __builtin_convertvector(power, lanes);
+    p = all(1.54035304e-4f) * f + 1.33335581e-3f;
+    p = p * f + 9.61812911e-3f;
+    p = p * f + 5.55041087e-2f;
+    p = p * f + 2.40226507e-1f;
+    p = p * f + 6.93147181e-1f;
+    p = p * f + 1.0f;
+    lanes result = p * (lanes)((power + 127) << 23);
+    return choose(x < 1e-30f, all(0), result);
+}
+
+static void weigh(const float *loads, int32_t count, const struct laplacian_weighing *weighing, float *weights)
+{
+    int32_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        lanes base = (weighing->most - load(loads + i)) * weighing->scale;
+        store(weights + i, weighing->eta == 0 ? all(1) : power_of(base, weighing->eta));
     }
-    for (int32_t i = 0; i < count; i++) {
-        float base = (most - loads[i]) * scale;
-        weights[i] = power(base < 0 ? 0 : base, eta);
+    for (; i < count; i++) {
+        float base = (weighing->most - loads[i]) * weighing->scale;
+        weights[i] = weighing->eta == 0 ? 1 : power(base < 0 ? 0 : base, weighing->eta);
     }
 }
 
@@ -252,6 +272,22 @@ ALWAYS void add_leaf(struct sums *sums, const float *leaf, int32_t count, int di
     }
 }
 
+/* Leaves wait till their memory has come. */
+ALWAYS void add_leaves(struct sums *sums, const struct laplacian_tree *tree, const int32_t *leaves,
+                       const int32_t *counts, int count, int dimensions, const float *at, struct laplacian_field *field)
+{
+    for (int i = 0; i < count; i++) {
+        add_leaf(sums, laplacian_tree_leaf(tree, leaves[i]), counts[i], dimensions, at, field);
+    }
+}
+
+ALWAYS void prefetch(const float *from, int floats)
+{
+    for (int i = 0; i < floats; i += LINE) {
+        __builtin_prefetch(from + i);
+    }
+}
+
 ALWAYS void walk_in(const struct laplacian_tree *tree, const float *at, struct laplacian_field *field,
                     const int dimensions, const int fan)
 {
@@ -259,7 +295,8 @@ ALWAYS void walk_in(const struct laplacian_tree *tree, const float *at, struct l
     memset(&sums, 0, sizeof sums);
     int32_t stack[STACK];
     uint8_t levels[STACK];
-    int depth = 1;
+    int32_t leaves[LEAVES], counts[LEAVES];
+    int depth = 1, leaf_count = 0;
     const int planes = 2 + dimensions + dimensions * (dimensions + 1) / 2;
     field->near_count = 0;
     stack[0] = tree->top;
@@ -273,15 +310,22 @@ ALWAYS void walk_in(const struct laplacian_tree *tree, const float *at, struct l
             for (; open; open &= open - 1) {
                 int child = half + __builtin_ctz(open);
                 if (children[child] < 0) {
-                    add_leaf(&sums, laplacian_tree_leaf(tree, ~children[child]), (int32_t)branch[child], dimensions, at,
-                             field);
+                    if (leaf_count == LEAVES) {
+                        add_leaves(&sums, tree, leaves, counts, leaf_count, dimensions, at, field);
+                        leaf_count = 0;
+                    }
+                    leaves[leaf_count] = ~children[child];
+                    counts[leaf_count++] = (int32_t)branch[child];
+                    prefetch(laplacian_tree_leaf(tree, ~children[child]), dimensions * LAPLACIAN_LEAF);
                 } else {
                     stack[depth] = children[child];
                     levels[depth++] = (uint8_t)(level + 1);
+                    prefetch(laplacian_tree_branch(tree, children[child]), planes * fan);
                 }
             }
         }
     }
+    add_leaves(&sums, tree, leaves, counts, leaf_count, dimensions, at, field);
     field->value = reduce(sums.value);
     for (int d = 0; d < dimensions; d++) {
         field->at[d] = at[d];
