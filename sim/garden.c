@@ -134,8 +134,8 @@ static void take_shape(struct garden *garden, const struct action *action)
         value = value >= least ? value <= most ? value : most : least;
         memcpy(at, &value, sizeof value);
     } else if (key->type == KEY_FLAG) {
-        bool value = whole != 0;
-        memcpy(at, &value, sizeof value);
+        bool on = whole != 0;
+        memcpy(at, &on, sizeof on);
     } else if (key->type == KEY_INTEGER || key->type == KEY_CHOICE) {
         int most = (int)key->max;
         while (key->type == KEY_CHOICE && key->choices[most + 1]) {
