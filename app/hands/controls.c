@@ -305,7 +305,8 @@ void controls_reset(struct controls *controls)
 
 void controls_growth(struct controls *controls, const struct growth_def *growth)
 {
-    controls->def.growth = *growth;
+    controls->trees = growth;
+    controls->growth = growth ? *growth : growth_preset(METAPHOR_INK, false);
     controls_reset_shapes(controls);
 }
 

@@ -43,7 +43,6 @@ struct controls_def {
     struct coefficients coefficients; /* where dials stand at first */
     const struct exhibit_seat *seats; /* copied; NULL: one, the whole sheet, without an ink of its own */
     int seat_count;                   /* 1..EXHIBIT_SEATS; of no matter without seats */
-    struct growth_def growth;         /* where dials of scenes of trees stand at first */
 };
 
 struct controls;
@@ -108,7 +107,8 @@ void controls_reset(struct controls *controls);
 /* The same, in a scene with other inks and coefficients. */
 void controls_scene(struct controls *controls, int inks, const struct coefficients *coefficients);
 
-/* Dials of scenes of trees stand there from now on: what grows has become another kind. */
+/* A scene of trees from now on, which grows so: that is where dials of it stand. NULL, as at first: a painting. Of
+ * bindings only those happen that are for the one or the other. */
 void controls_growth(struct controls *controls, const struct growth_def *growth);
 
 /* Whether anybody has a finger or a button down, as of the last controls_run. A key switch of the staff is no hand, and

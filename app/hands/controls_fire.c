@@ -137,11 +137,11 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         controls_nudge(controls, index, cause);
         return;
     }
-    if (binding->action.verb == ACTION_HOLD && cause->finger != NOBODY && cause->finger != TAPPER) {
+    if (binding->action.verb == ACTION_HOLD && controls->trees && cause->finger != NOBODY && cause->finger != TAPPER) {
         controls_hold(controls, index, cause);
         return;
     }
-    struct queued *queued = push(controls, cause->time_us);
+    struct queued *queued = controls_suits(controls, binding) ? push(controls, cause->time_us) : NULL;
     if (!queued) {
         return;
     }
@@ -160,12 +160,13 @@ static bool taps(const struct binding *binding, enum exhibit_tool tool)
 {
     bool at_once = binding->when == PRESS_DOWN || binding->when == PRESS_UP || binding->when == PRESS_SHORT;
     bool press = binding_touches(binding, TOUCH_PRESS, tool) || binding_touches(binding, TOUCH_TAP, tool);
-    return binding->what == DO_VERB && press && at_once;
+    return binding->what == DO_VERB && press && at_once && binding->action.verb != ACTION_HOLD;
 }
 
 static bool drags(const struct binding *binding, enum exhibit_tool tool)
 {
-    return binding->what == DO_VERB && binding_touches(binding, TOUCH_DRAG, tool);
+    return binding->what == DO_VERB && binding->action.verb != ACTION_HOLD &&
+           binding_touches(binding, TOUCH_DRAG, tool);
 }
 
 static int fire_all(struct controls *controls, bool (*wanted)(const struct binding *binding, enum exhibit_tool tool),
@@ -173,7 +174,8 @@ static int fire_all(struct controls *controls, bool (*wanted)(const struct bindi
 {
     int fired = 0;
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
-        if (wanted(controls_binding(controls, i), controls->finger_tool[TAPPER])) {
+        const struct binding *binding = controls_binding(controls, i);
+        if (controls_suits(controls, binding) && wanted(binding, controls->finger_tool[TAPPER])) {
             controls_fire(controls, i, cause);
             fired++;
         }
@@ -185,8 +187,7 @@ static void drop_anyway(struct controls *controls, const struct cause *cause)
 {
     struct queued *queued = push(controls, cause->time_us);
     if (queued) {
-        bool trees = tool_fits((int)controls->finger_tool[TAPPER], SCENE_TREES);
-        queued->action = action_default(trees ? ACTION_PLANT : ACTION_DROP);
+        queued->action = action_default(controls->trees ? ACTION_PLANT : ACTION_DROP);
         queued->action.visitor = controls_visitor_of(controls, cause);
         queued->action.ink = controls_ink_of(controls, cause) % controls->def.inks;
         queued->action.at = cause->at;

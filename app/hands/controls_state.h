@@ -91,6 +91,8 @@ struct controls {
     struct hold holds[GESTURE_FINGERS];
     bool paired[GESTURE_FINGERS]; /* the stroke is that of two fingers */
     int next_ink, shared_ink;
+    bool trees;               /* the scene is one of trees, */
+    struct growth_def growth; /* which grows so */
     struct owner owners[OWNERS];
     struct contact contacts[CONTACTS];
     struct known known[KNOWN];
@@ -155,6 +157,17 @@ void controls_push_set(struct controls *controls, int coefficient, float value, 
 bool controls_push_switch(struct controls *controls, const struct cause *cause);
 /* It comes up, once for each that went down. */
 void controls_push_switch_end(struct controls *controls, const struct cause *cause);
+
+/* Whether a binding is for this kind of scene. */
+static inline bool controls_suits(const struct controls *controls, const struct binding *binding)
+{
+    if (binding->what == DO_TURN) {
+        return controls->trees == (binding->growth >= 0);
+    }
+    enum action_verb verb = binding->action.verb;
+    return binding->what != DO_VERB || verb == ACTION_CLEAR || verb == ACTION_RINSE ||
+           controls->trees == (verb >= ACTION_STOCK);
+}
 
 /* controls_hold.c: the finger of a cause stays or goes, by a binding of ACTION_HOLD; it has gone. */
 void controls_hold(struct controls *controls, int binding, const struct cause *cause);

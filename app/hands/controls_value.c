@@ -84,7 +84,8 @@ static void fire_steps(struct controls *controls, int index, float steps, const 
 void controls_move(struct controls *controls, int index, const struct event *event, const struct cause *cause)
 {
     const struct binding *binding = controls_binding(controls, index);
-    if (!isfinite(event->value) || (event->relative && !senses(binding, event->value))) {
+    if (!controls_suits(controls, binding) || !isfinite(event->value) ||
+        (event->relative && !senses(binding, event->value))) {
         return;
     }
     if (binding->what == DO_CURSOR) {
@@ -110,7 +111,7 @@ void controls_move_finger(struct controls *controls, int index, const struct ges
     bool pinch = gesture->kind == GESTURE_PINCH;
     float up = pinch ? gesture->value : gesture->from.y - gesture->at.y;
     cause.at = gesture->at;
-    if (!senses(binding, up)) {
+    if (!controls_suits(controls, binding) || !senses(binding, up)) {
         return;
     }
     if (binding->what == DO_CURSOR) {
@@ -133,6 +134,9 @@ void controls_nudge(struct controls *controls, int index, const struct cause *ca
 {
     const struct binding *binding = controls_binding(controls, index);
     float step = binding->way == WAY_DOWN || binding->way == WAY_LEFT ? -1.0f : 1.0f;
+    if (!controls_suits(controls, binding)) {
+        return;
+    }
     if (binding->what != DO_CURSOR) {
         axis_feel(&controls->axes[index], &binding->axis, step, true, false);
         controls->axis_time_us[index] = cause->time_us;
@@ -221,9 +225,6 @@ static float initial_value(const struct controls_def *def, const struct binding 
     if (binding->what == DO_DIAL) {
         return (float)key_find(action_keys(ACTION_DROP), NAMES[binding->parameter])->initial;
     }
-    if (turns_growth(binding)) {
-        return growth_value(&def->growth, binding->growth);
-    }
     const struct key *key = &coefficient_keys[binding->coefficient];
     const char *at = (const char *)&def->coefficients + key->offset;
     return key->type == KEY_NUMBER ? *(const float *)(const void *)at : (float)*(const int *)(const void *)at;
@@ -234,7 +235,7 @@ void controls_reset_shapes(struct controls *controls)
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
         if (turns_growth(binding)) {
-            controls->shaped[i] = initial_value(&controls->def, binding);
+            controls->shaped[i] = growth_value(&controls->growth, binding->growth);
             controls->axes[i] = axis_start(&binding->axis, controls->shaped[i]);
             controls->shapes[i] = false;
         }
@@ -245,7 +246,7 @@ void controls_reset_values(struct controls *controls)
 {
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
-        if (binding->what == DO_TURN || binding->what == DO_DIAL) {
+        if ((binding->what == DO_TURN && !turns_growth(binding)) || binding->what == DO_DIAL) {
             controls->axes[i] = axis_start(&binding->axis, initial_value(&controls->def, binding));
         }
         controls->axis_time_us[i] = 0;

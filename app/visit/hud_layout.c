@@ -155,7 +155,11 @@ static struct list list_all(const struct hud *hud, int panel, int folds)
         fold(&list, from, HUD_TOOL, hud->panels[panel].tool);
     }
     if (hud_kind_of_scene(hud) == SCENE_TREES) {
+        from = list.count;
         list_choices(hud, &list);
+        if (folds > 2) {
+            fold(&list, from, HUD_PICTURE, 0);
+        }
     }
     if (palette->undo) {
         add(&list, GROUP_DEEDS, HUD_UNDO, 0);
@@ -181,6 +185,8 @@ static struct list list_open(const struct hud *hud, int panel)
         list_inks(hud, panel, &list);
     } else if (open == HUD_TOOL) {
         list_tools(hud, &list);
+    } else if (open == HUD_PICTURE) {
+        list_choices(hud, &list);
     } else if (open == HUD_MORE) {
         add(&list, GROUP_OTHERS, HUD_MORE, 0); /* the way back */
         list_others(hud, &list);

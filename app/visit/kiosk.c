@@ -138,6 +138,8 @@ static void show_scene(struct kiosk *kiosk, int scene)
         const struct script *script = kiosk_scene(kiosk)->script;
         controls_scene(kiosk->controls, script->ink_count, &script->coefficients);
     }
+    kiosk->growth = kiosk_scene(kiosk)->growth;
+    kiosk_stand_dials(kiosk);
     choose_again(kiosk);
 }
 

@@ -57,7 +57,7 @@ void kiosk_stand_dials(struct kiosk *kiosk)
 {
     kiosk->hud.metaphor = kiosk->growth.metaphor;
     if (kiosk->controls) {
-        controls_growth(kiosk->controls, &kiosk->growth);
+        controls_growth(kiosk->controls, kiosk_has_trees(kiosk) ? &kiosk->growth : NULL);
     }
 }
 
