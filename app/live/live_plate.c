@@ -26,12 +26,18 @@ static void fade(struct live_plate *plate, double seconds)
     plate->fade_s = seconds;
 }
 
-static void show_none(struct live_plate *plate, double seconds)
+/* `ground` stays: what comes is likely to have the same, and between them is no flash. */
+static void show_none(struct live_plate *plate, double seconds, bool ground)
 {
-    plate_gpu_set(plate->gpu, NULL);
-    if (plate->shown) {
+    if (ground) {
+        plate_gpu_bare(plate->gpu);
+    } else {
+        plate_gpu_set(plate->gpu, NULL);
+    }
+    if (plate->shown || plate->bare) {
         fade(plate, seconds);
     }
+    plate->bare = ground && (plate->shown || plate->bare);
     plate->shown = plate->bringing = false;
 }
 
@@ -41,6 +47,7 @@ static bool make(struct live_plate *plate, struct shader_error *error)
     plate->gpu = plate_gpu_create(plate->folder, error);
     plate->before = 0;
     plate->rinse = 0;
+    plate->bare = false;
     if (plate->gpu && plate->shown) {
         plate->shown = plate_gpu_set(plate->gpu, &plate->newest->plate);
     }
@@ -57,6 +64,7 @@ static void bring(struct live_plate *plate)
     plate->bringing = state == PLATE_COMING;
     if (!plate->bringing) {
         plate->shown = state == PLATE_WHOLE;
+        plate->bare = false;
         plate->rinse = plate->newest->sequence;
         fade(plate, CHANGE_S);
     }
@@ -72,7 +80,7 @@ static void take_newest(struct live_plate *plate, const struct live_garden_sheet
     if (plate->newest->any) {
         plate->bringing = true;
     } else {
-        show_none(plate, CHANGE_S);
+        show_none(plate, CHANGE_S, false);
     }
 }
 
@@ -93,7 +101,7 @@ static void go_on(struct live_plate *plate, const struct live_garden_sheet *shee
     plate->before = fmax(plate->before - passed * (live_garden_has_newer(plate->garden) ? HURRY : 1), 0);
     plate->last_s = now_s;
     if (sheet->number != plate->sheet) {
-        show_none(plate, SHEET_S);
+        show_none(plate, SHEET_S, true);
         plate->sheet = sheet->number;
     }
     if (!(plate->before > 0) && !plate->bringing) {
