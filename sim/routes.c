@@ -318,6 +318,14 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
     struct rectangle around = {changed.x0 - 1, changed.x1 + 1, changed.y0 - 1, changed.y1 + 1};
     around = rectangle_clip(around, lattice->width, lattice->height);
     int32_t gone = 0;
+    for (int y = changed.y0; y < changed.y1; y++) { /* walls that are none any more */
+        for (int x = changed.x0; x < changed.x1; x++) {
+            int32_t node = lattice_node(lattice, x, y);
+            if (routes->toward[node] == ROUTES_NONE && lattice->weight[node] > 0) {
+                routes->stack[gone++] = node;
+            }
+        }
+    }
     route_queue_start(&routes->queue, queue_shift(routes), false);
     for (int y = around.y0; y < around.y1; y++) {
         for (int x = around.x0; x < around.x1; x++) {

@@ -50,6 +50,7 @@ static void stage_fresh(void *context)
 static void stage_change(void *context, const struct script *script)
 {
     struct live_kiosk *kiosk = context;
+    live_garden_scene(kiosk->garden, script, kiosk_scene(kiosk->kiosk)->kind == SCENE_TREES);
     studio_change(kiosk->status.studio, script);
     kiosk->other = true;
     live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
@@ -71,7 +72,10 @@ static struct kiosk_sheet stage_sheet(void *context)
 {
     struct live_kiosk *kiosk = context;
     struct studio_report report = studio_report(kiosk->status.studio);
-    return (struct kiosk_sheet){report.sessions, report.ticks, report.can_undo, report.can_redo};
+    struct live_garden_sheet garden = live_garden_sheet(kiosk->garden, bench_wall_s());
+    uint64_t undo = garden.on ? garden.can_undo : report.can_undo;
+    uint64_t redo = garden.on ? garden.can_redo : report.can_redo;
+    return (struct kiosk_sheet){report.sessions, report.ticks, undo, redo};
 }
 
 static bool stage_guide(void *context, struct action *guide)
@@ -160,6 +164,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                                  .input = input,
                                  .state = def->state,
                                  .painting = def->painting,
+                                 .garden = def->garden,
+                                 .plate = def->plate,
                                  .clock = def->clock};
     kiosk->input_def = *input_def;
     kiosk->input_def.clock = def->clock;
@@ -315,6 +321,7 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
+        live_plate_reveal(kiosk->plate, rgb, width, height);
         char journal[40];
         int fd = live_keep_journal(kiosk->painting);
         snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);
