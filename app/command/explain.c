@@ -9,6 +9,7 @@
 #include "ink.h"
 #include "inputs.h"
 #include "script.h"
+#include "script_structure.h"
 #include "script_value.h"
 #include "vision.h"
 
@@ -199,6 +200,9 @@ bool explain(const char *asked, FILE *out)
         enum action_verb verb = (enum action_verb)i;
         explain_keys(&explaining, action_name(verb), action_meaning(verb), action_keys(verb));
     }
+    struct key structure[SCRIPT_STRUCTURE_KEYS];
+    script_structure_keys(structure);
+    explain_keys(&explaining, "structure", "What grows over a picture, wherever a verb takes a picture.", structure);
     explain_tables(&explaining, exhibit_tables);
     exhibit_trees_keys(trees);
     explain_keys(&explaining, "trees", "How they grow in a scene of trees; defaults are those of ink.", trees);
