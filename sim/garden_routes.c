@@ -4,7 +4,10 @@
 
 #include "garden_state.h"
 
-enum { WAY_CHEAPER = 8 /* outside the picture, where nothing else would take a seed there */ };
+enum {
+    EVEN_WEIGHT = 800, /* half of what counts for who is nearest, so that every seed has its share */
+    WAY_CHEAPER = 8,   /* outside the picture, where nothing else would take a seed there */
+};
 
 static const float STEM = 0.6f; /* of the lattice's detail: how far a stem goes at most through what does not matter */
 static const float WAY_WIDE = 0.03f; /* of the lattice's detail: half the width of a way to a seed */
@@ -221,7 +224,7 @@ bool garden_route(struct garden *garden, bool anew)
     enum metric metric = (enum metric)garden->def.growth.metric;
     int emphasis = garden->def.growth.emphasis;
     for (int32_t i = 0; i < bed->base->nodes; i++) {
-        unsigned weight = (unsigned)bed->base->weight[i] * bed->uneven[i] / GARDEN_EVEN;
+        unsigned weight = (EVEN_WEIGHT + (unsigned)bed->base->weight[i]) / 2 * bed->uneven[i] / GARDEN_EVEN;
         bed->spare[i] = bed->base->weight[i] > 0 ? legal(weight) : 0;
     }
     for (int32_t i = 0; i < bed->seed_count; i++) {

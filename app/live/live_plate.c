@@ -6,7 +6,9 @@
 
 enum { ROWS = 64 };
 
-static const double CHANGE_S = 0.4, SHEET_S = 0.8 /* as live_picture_hold */, HURRY = 3, BRING_S = 0.004;
+static const double CHANGE_S = 0.4, SHEET_S = 0.8 /* as live_picture_hold */, HURRY = 3;
+/* Of a frame, that a plate may take to be brought: so much, or this share of what the last frame took. */
+static const double BRING_S = 0.004, BRING_SHARE = 0.25;
 
 void live_plate_init(struct live_plate *plate, struct live_garden *garden, const struct shader_folder *folder)
 {
@@ -54,10 +56,10 @@ static bool make(struct live_plate *plate, struct shader_error *error)
     return plate->gpu;
 }
 
-static void bring(struct live_plate *plate)
+static void bring(struct live_plate *plate, double frame_s)
 {
     enum plate_bring state = PLATE_COMING;
-    double end_s = bench_wall_s() + BRING_S;
+    double end_s = bench_wall_s() + fmax(BRING_S, BRING_SHARE * frame_s);
     do {
         state = plate_gpu_bring(plate->gpu, &plate->newest->plate, ROWS);
     } while (state == PLATE_COMING && bench_wall_s() < end_s);
@@ -87,7 +89,7 @@ static void take_newest(struct live_plate *plate, const struct live_garden_sheet
 static void run_water(struct live_plate *plate, const struct live_garden_sheet *sheet)
 {
     uint8_t water[LIVE_WATER_WIDTH * LIVE_WATER_HEIGHT];
-    if (sheet->rinsed && sheet->rinse > plate->rinse && plate->shown && !plate->bringing) {
+    if (sheet->rinsed && sheet->rinse > plate->rinse && plate->shown) {
         live_garden_water(plate->garden, water);
         plate_gpu_water(plate->gpu, water, LIVE_WATER_WIDTH, LIVE_WATER_HEIGHT);
         plate->rinse = sheet->rinse;
@@ -97,7 +99,8 @@ static void run_water(struct live_plate *plate, const struct live_garden_sheet *
 /* From one plate to the next; the next but one waits for it, and it hurries then. */
 static void go_on(struct live_plate *plate, const struct live_garden_sheet *sheet, double now_s)
 {
-    double passed = (now_s - plate->last_s) / plate->fade_s;
+    double frame_s = fmin(now_s - plate->last_s, CHANGE_S);
+    double passed = frame_s / plate->fade_s;
     plate->before = fmax(plate->before - passed * (live_garden_has_newer(plate->garden) ? HURRY : 1), 0);
     plate->last_s = now_s;
     if (sheet->number != plate->sheet) {
@@ -108,7 +111,7 @@ static void go_on(struct live_plate *plate, const struct live_garden_sheet *shee
         take_newest(plate, sheet);
     }
     if (plate->bringing) {
-        bring(plate);
+        bring(plate, frame_s);
     }
     run_water(plate, sheet);
 }
