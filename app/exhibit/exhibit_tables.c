@@ -143,6 +143,8 @@ const struct key scene_keys[] = {
          "A picture along whose edges everything grows, beside this file."),
     TEXT("mask", SCENE, mask, "the path of a picture", EXHIBIT_PATH_BYTES, false,
          "A picture whose dark parts stay free, beside this file."),
+    SECTION("structures", "A list of what `frond grow` grows over pictures, for the painting to grow along: at most "
+                          "four, with the options of trees."),
     END,
 };
 
@@ -284,6 +286,7 @@ const struct inputs_table exhibit_tables[] = {
     {"texts", "What visitors read, each by language.", text_keys},
     {"palettes", "A palette of an exhibit's own.", palettes_keys},
     {"scenes", "A scene: inks, coefficients, and pictures that growth keeps to.", scene_keys},
+    {"structures", "What grows over a picture, for a scene of ink.", scene_structure_keys},
     {"palette", "The buttons at the edge of the sheet.", hud_keys},
     {"seats", "A visitor's place.", seat_keys},
     {"visit", "How long everything takes.", visit_keys},

@@ -35,6 +35,16 @@ static const struct script_case BAD[] = {
     {"another version", BYTES("exhibit: 2\n"), "s.yaml:1:10: exhibit: 2 is out of range; only 1\n"},
     {"the version as a text", BYTES("exhibit: '1'\n"),
      "s.yaml:1:10: exhibit: '1' is text, not a number: leave the quotes out; only 1\n"},
+    {"a structure that is nothing",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: a, structures: [{over: good.png, as: face}, {as: mask}, {over: no.png}]}\n"
+           "  - {id: b, kind: trees, trees: {over: good.png}, structures: [{over: good.png}]}\n"),
+     "s.yaml:3:47: scenes[0].structures[0].as: unknown choice 'face'; one of guide, mask, ink, relief\n"
+     "s.yaml:3:54: scenes[0].structures[1].over: missing; the path of a picture in this file's folder, 1 to 1000 "
+     "bytes\n"
+     "s.yaml:3:73: scenes[0].structures[2].over: 'no.png' is not there; a picture in this file's folder or below\n"
+     "s.yaml:4:63: scenes[1].structures: in a scene of trees; trees, or kind: painting\n"},
     {"unknown key",
      BYTES("exhibit: 1\n"
            "scene: []\n"),
@@ -232,9 +242,9 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "scenes: [{id: wood, kind: trees, trees: {over: text.png}}, {id: dusk, kind: trees, trees: 3}]\n"),
      "s.yaml:2:48: scenes[0].trees.over: 'text.png' is broken; a PNG, JPEG, TIFF, EXR or WebP picture\n"
-     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, endpoints: 3000, ...}; see frond explain trees\n"
      "s.yaml:2:91: scenes[1].trees.over: no picture to grow over; a path, or pictures: FOLDER in this file's folder, "
-     "with one in it\n"},
+     "with one in it\n"
+     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, endpoints: 3000, ...}; see frond explain trees\n"},
     {"how trees grow",
      BYTES("exhibit: 1\n"
            "pictures: fine\n"

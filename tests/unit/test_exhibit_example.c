@@ -137,6 +137,7 @@ static bool is_only_an_example(const struct example_row *row)
 {
     static const char *const NAMES[][2] = {{"scenes[]", "inks"},
                                            {"scenes[]", "trees"},
+                                           {"scenes[]", "structures"},
                                            {"", "sessions"},
                                            {"inputs.controllers[].lamps[]", "usage"},
                                            {"inputs.bindings[].rinse", "at"}};
@@ -145,7 +146,8 @@ static bool is_only_an_example(const struct example_row *row)
     for (size_t i = 0; i < sizeof NAMES / sizeof *NAMES; i++) {
         named = named || (strcmp(row->place, NAMES[i][0]) == 0 && strcmp(key->name, NAMES[i][1]) == 0);
     }
-    return named || strcmp(row->place, "scenes[].trees") == 0 || key->type == KEY_INK || key->type == KEY_PICTURE ||
+    return named || strncmp(row->place, "scenes[].trees", 14) == 0 ||
+           strncmp(row->place, "scenes[].structures", 19) == 0 || key->type == KEY_INK || key->type == KEY_PICTURE ||
            key->type == KEY_RASTER || (key->type == KEY_TEXT && strncmp(key->unit, "the path", 8) == 0);
 }
 
