@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "brush.h"
-#include "growth.h"
 #include "figure.h"
+#include "growth.h"
 #include "random.h"
 #include "subject.h"
 
