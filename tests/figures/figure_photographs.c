@@ -283,7 +283,7 @@ void figure_photographs(struct figure *figure)
 static void show_tree(struct figure *figure, struct sheet *sheet, struct sitter *sitter, const struct growth_def *def,
                       const char *label, double least)
 {
-    static const struct rectangle FACE = {190, 400, 90, 330};
+    static const struct rectangle FACE = {140, 400, 90, 400};
     struct growth *growth = sitter_grow(sitter, def);
     sitter_check_sound(figure, growth, label);
     if (least > 0) {
@@ -313,12 +313,15 @@ void figure_hidden(struct figure *figure)
     def.layers = 2;
     show_tree(figure, sheet, face, &def, "figure 13: two layers", 0);
     def = growth_preset(METAPHOR_INK, true);
-    show_tree(figure, sheet, face, &def, "figure 15: mixed", 0.25);
+    def.side = SIDE_NONE; /* all of the crown is her face; the paper leaves the left half free */
+    def.radius = 0.4f;
+    def.spacing = 14;
+    show_tree(figure, sheet, face, &def, "figure 15: mixed", 0.3);
     def.mix = 0.9f;
-    show_tree(figure, sheet, face, &def, "figure 15: by importance", 0.25);
-    show_tree(figure, sheet, admiral, &def, "figure 16: by importance", 0.2);
+    show_tree(figure, sheet, face, &def, "figure 15: by importance", 0.3);
+    show_tree(figure, sheet, admiral, &def, "figure 16: by importance", 0.3);
     def.mix = 0;
-    show_tree(figure, sheet, admiral, &def, "figure 16: by branch", 0.2);
+    show_tree(figure, sheet, admiral, &def, "figure 16: by branch", 0.25);
     sheet_finish(sheet);
     free(face);
     free(admiral);

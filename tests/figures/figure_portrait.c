@@ -45,8 +45,8 @@ static void grow(struct canvas *canvas)
 {
     struct script_picture picture;
     struct growth_def growth = growth_preset(METAPHOR_INK, false);
-    const struct structure_def wide = {.detail = SIDE, .width = 1.8f, .fade = 6}, thin = {.detail = SIDE};
-    growth.endpoints = 2100;
+    const struct structure_def wide = {.detail = 512, .width = 1.6f, .fade = 6}, thin = {.detail = 512};
+    growth.endpoints = 2600;
     growth.gradient = 4;
     read_picture(&picture, canvas);
     if (!structure_raster(&picture, &growth, &wide, STRUCTURE_DARK, SIDE, SIDE, canvas->dark) ||
@@ -88,7 +88,9 @@ static int drop_on_branches(struct subject *subject, const struct canvas *canvas
     for (int y = 4; y < SIDE - 4; y++) {
         for (int x = 4; x < SIDE - 4; x++) {
             float u = ((float)x + 0.5f) / SIDE, v = ((float)y + 0.5f) / SIDE;
-            bool sitter = (u > 0.25f && u < 0.77f && v < 0.86f) || v > 0.79f + 1.35f * (u - 0.5f) * (u - 0.5f);
+            bool sitter = (u > 0.25f && u < 0.77f && v > 0.35f && v < 0.86f) ||
+                          hypotf((u - 0.51f) / 0.26f, (v - 0.36f) / 0.29f) < 1 ||
+                          v > 0.79f + 1.35f * (u - 0.5f) * (u - 0.5f);
             bool free = sitter && canvas->dark[y * SIDE + x] < 0.3f && count < 2000;
             for (int i = 0; i < count && free; i++) {
                 free = hypotf(at[i].x - u, at[i].y - v) * SIDE >= GAP;

@@ -15,8 +15,8 @@ static const struct source {
 } SOURCES[PHOTOGRAPHS] = {
     [PHOTOGRAPH_ASTRONAUT] = {"python3-imageio", ASTRONAUT, 0, 0, 512},
     [PHOTOGRAPH_FACE] = {"python3-imageio", ASTRONAUT, 95, 0, 256},
-    [PHOTOGRAPH_CLOSE] = {"python3-imageio", ASTRONAUT, 112, 0, 200},
-    [PHOTOGRAPH_FROWN] = {"python-matplotlib-data", ADMIRAL, 80, 40, 330},
+    [PHOTOGRAPH_CLOSE] = {"python3-imageio", ASTRONAUT, 115, 0, 220},
+    [PHOTOGRAPH_FROWN] = {"python-matplotlib-data", ADMIRAL, 70, 20, 400},
     [PHOTOGRAPH_ADMIRAL] = {"python-matplotlib-data", ADMIRAL, 0, 20, 512},
     [PHOTOGRAPH_CAT] = {"python3-imageio", "/usr/lib/python3/dist-packages/imageio/resources/images/chelsea.png", 60, 0,
                         300},

@@ -7,9 +7,9 @@
 enum photograph {
     PHOTOGRAPH_ASTRONAUT, /* Eileen Collins, NASA, public domain: python3-imageio */
     PHOTOGRAPH_FACE,      /* her face alone */
-    PHOTOGRAPH_CLOSE,     /* closer still, to the right of the middle: as trees want it */
+    PHOTOGRAPH_CLOSE,     /* closer still, as large as a crown */
     PHOTOGRAPH_ADMIRAL,   /* Grace Hopper, US Navy, public domain: python-matplotlib-data */
-    PHOTOGRAPH_FROWN,     /* her face alone, to the right of the middle */
+    PHOTOGRAPH_FROWN,     /* her face alone */
     PHOTOGRAPH_CAT,       /* Chelsea, Stéfan van der Walt, CC0: python3-imageio */
     PHOTOGRAPHS
 };
