@@ -38,7 +38,7 @@ const struct key laplacian_keys[] = {
      .unit = "",
      .offset = offsetof(struct laplacian_def, off_grid),
      .meaning = "Neighbours lie in any direction, a cell away, on no grid."},
-    NUMBER(error, 1e-5, 0.05, 2.5e-3, "", "Bound of the relative error of the fast method's potential."),
+    NUMBER(error, 1e-5, 0.01, 2.5e-3, "", "Bound of the relative error of the fast method's potential."),
     NUMBER(extent, 0, 131000, 0, "cells", "It is complete when it has come so far from the origin; 0: never."),
     NUMBER(span, 1, 262000, 512, "cells", "Width of mask, map of eta and outline, about the origin."),
     WHOLE(harmonics, 0, LAPLACIAN_DEGREE_MAX, 6, "", "Highest degree of the environment's harmonics."),

@@ -13,8 +13,9 @@ enum {
     FINE = 4, /* of a cell, one unit of a path */
     FINE_LOG2 = 2,
 };
-static const float ERROR_AT = 2.5e-3f, OPENING_AT = 0.7f; /* greatest error seen at this opening; it goes by its cube */
-static const float NEAR_BOX = 6;                          /* cells from which a box may be one charge */
+static const float ERROR_AT = 2.5e-3f, OPENING_AT = 0.7f,
+                   OPENING_MOST = 0.85f; /* greatest error seen at this opening; it goes by its cube */
+static const float NEAR_BOX = 6;         /* cells from which a box may be one charge */
 
 static float cube_root(float x)
 {
@@ -32,6 +33,7 @@ bool laplacian_tree_init(struct laplacian_tree *tree, int dimensions, float erro
     tree->fan = dimensions == 2 ? 16 : 8;
     tree->planes = dimensions == 2 ? 7 : 11;
     float opening = OPENING_AT * cube_root(error / ERROR_AT), side = 1 << SIDE_LOG2;
+    opening = opening < OPENING_MOST ? opening : OPENING_MOST;
     for (int level = 0; level < LAPLACIAN_LEVELS_MAX; level++) {
         side /= (float)tree->side;
         float limit = side * side / (opening * opening);
