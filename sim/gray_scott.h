@@ -12,6 +12,7 @@
 
 #include "action.h"
 #include "painting.h"
+#include "rectangle.h"
 
 enum { GRAY_SCOTT_SIZE_MAX = 8192 }; /* cells a side */
 
@@ -93,6 +94,13 @@ enum gray_scott_brush { CHEMISTRY_PAINT, CHEMISTRY_ERASE };
  * 1/2, v = 1/4 (Pearson's seed), erase to u = 1, v = 0; `strength` 0..1 of the way. One point: a disc. */
 void gray_scott_stroke(struct gray_scott *chemistry, const struct action_path *path, float radius,
                        enum gray_scott_brush brush, float strength);
+struct gray_scott_state {
+    float u, v;
+};
+/* What a brush brings cells to, and the cells it may reach; none where x1 <= x0. */
+struct gray_scott_state gray_scott_brush_state(enum gray_scott_brush brush);
+struct rectangle gray_scott_stroke_area(const struct gray_scott *chemistry, const struct action_path *path,
+                                        float radius);
 /* First states, over what is there: `count` discs at random places; grains at random, a share of the cells each painted
  * half and more; a mask, painted where it is light (or dark), as text and pictures give it. */
 void gray_scott_seed_spots(struct gray_scott *chemistry, int count, float radius, uint32_t seed);

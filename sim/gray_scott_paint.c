@@ -103,8 +103,13 @@ static int bounded(float value, int most)
     return value > 0 ? value < (float)most ? (int)value : most : 0;
 }
 
-void gray_scott_stroke(struct gray_scott *chemistry, const struct action_path *path, float radius,
-                       enum gray_scott_brush brush, float strength)
+struct gray_scott_state gray_scott_brush_state(enum gray_scott_brush brush)
+{
+    return brush == CHEMISTRY_PAINT ? (struct gray_scott_state){SEED_U, SEED_V} : (struct gray_scott_state){1, 0};
+}
+
+struct rectangle gray_scott_stroke_area(const struct gray_scott *chemistry, const struct action_path *path,
+                                        float radius)
 {
     float left = 1e9f, top = 1e9f, right = -1e9f, bottom = -1e9f, reach = radius + EDGE;
     for (int i = 0; i < path->count; i++) {
@@ -114,14 +119,23 @@ void gray_scott_stroke(struct gray_scott *chemistry, const struct action_path *p
         top = y < top ? y : top;
         bottom = y > bottom ? y : bottom;
     }
-    float to_u = brush == CHEMISTRY_PAINT ? SEED_U : 1.0f, to_v = brush == CHEMISTRY_PAINT ? SEED_V : 0.0f;
-    int y1 = bounded(bottom + reach + 1, chemistry->height), x1 = bounded(right + reach + 1, chemistry->width);
-    for (int y = bounded(top - reach, chemistry->height); y < y1; y++) {
-        for (int x = bounded(left - reach, chemistry->width); x < x1; x++) {
+    return (struct rectangle){.x0 = bounded(left - reach, chemistry->width),
+                              .x1 = bounded(right + reach + 1, chemistry->width),
+                              .y0 = bounded(top - reach, chemistry->height),
+                              .y1 = bounded(bottom + reach + 1, chemistry->height)};
+}
+
+void gray_scott_stroke(struct gray_scott *chemistry, const struct action_path *path, float radius,
+                       enum gray_scott_brush brush, float strength)
+{
+    struct gray_scott_state to = gray_scott_brush_state(brush);
+    struct rectangle area = gray_scott_stroke_area(chemistry, path, radius);
+    for (int y = area.y0; y < area.y1; y++) {
+        for (int x = area.x0; x < area.x1; x++) {
             float distance = sqrtf(path_distance2(chemistry, path, (float)x + 0.5f, (float)y + 0.5f));
             float share = within((radius + 0.5f * EDGE - distance) / EDGE);
             if (share > 0) {
-                bring(chemistry, x, y, within(strength) * share, to_u, to_v);
+                bring(chemistry, x, y, within(strength) * share, to.u, to.v);
             }
         }
     }
