@@ -52,7 +52,7 @@ void figure_dendrites(struct figure *figure); /* figure_trees.c */
 void figure_metaphors(struct figure *figure);
 void figure_trees(struct figure *figure);
 void figure_composites(struct figure *figure);
-void figure_garden(struct figure *figure); /* figure_garden.c */
+void figure_garden(struct figure *figure);      /* figure_garden.c */
 void figure_photographs(struct figure *figure); /* figure_photographs.c */
 void figure_hidden(struct figure *figure);
 void figure_portrait(struct figure *figure); /* figure_portrait.c */
