@@ -6,16 +6,18 @@
 #include "formula.h"
 #include "garden.h"
 #include "raster.h"
+#include "script_structure.h"
 
 /* What one verb's parameters need to know of each other. */
 struct parameters {
     const struct key *setting;       /* what `set` or `shape` sets; NULL for other verbs, or where it is wrong */
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
-    bool bound; /* place and ink may come later */
+    const struct yaml_node *structure; /* in place of the picture */
+    bool bound;                        /* place and ink may come later */
 };
 
-static bool take_values(struct reader *reader, const struct yaml_node *node, size_t count)
+bool script_take_values(struct reader *reader, const struct yaml_node *node, size_t count)
 {
     if (count > reader->def->raster_values_max - reader->raster_values) {
         reader_problem(reader, node, "too much for one file; %zu values in all formulas and pictures together",
@@ -71,7 +73,7 @@ static bool read_formula(struct reader *reader, const struct yaml_node *node, st
                        node->kind == YAML_LIST ? count : yaml_found(node, found, sizeof found));
         return false;
     }
-    if (!take_values(reader, node, cells * (size_t)channels)) {
+    if (!script_take_values(reader, node, cells * (size_t)channels)) {
         return false;
     }
     float *values = reader_take(reader, cells * (size_t)channels * sizeof *values);
@@ -132,7 +134,8 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
     int width = reader->script->width, height = reader->script->height;
     int channels = raster_channels(kind);
     struct script_picture picture = {0};
-    if (action->verb != ACTION_STOCK && !take_values(reader, node, (size_t)width * (size_t)height * (size_t)channels)) {
+    if (action->verb != ACTION_STOCK &&
+        !script_take_values(reader, node, (size_t)width * (size_t)height * (size_t)channels)) {
         return false;
     }
     if (!reader->def->load(reader->def->data, reader->folder, node->text, &picture, error, sizeof error)) {
@@ -141,7 +144,7 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
     }
     if (action->verb == ACTION_STOCK) { /* its own shape, not the sheet's */
         size_stock(&picture, &width, &height);
-        if (!take_values(reader, node, (size_t)width * (size_t)height)) {
+        if (!script_take_values(reader, node, (size_t)width * (size_t)height)) {
             free(picture.values);
             return false;
         }
@@ -205,7 +208,7 @@ static bool read_parameter(struct reader *reader, const struct key *key, const s
         return true;
     }
     if (key->type == KEY_PICTURE) {
-        parameters->picture = node;
+        *(strcmp(key->name, "structure") == 0 ? &parameters->structure : &parameters->picture) = node;
         return true;
     }
     if (parameters->setting && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
@@ -231,11 +234,16 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
                            const struct parameters *parameters)
 {
     bool at = yaml_get(node, "at"), path = yaml_get(node, "path");
-    bool raster = parameters->formula || parameters->picture;
-    if (parameters->formula && parameters->picture) {
-        reader_problem(reader, node, "both a formula and a picture; one of them");
+    bool raster = parameters->formula || parameters->picture || parameters->structure;
+    if (parameters->formula && (parameters->picture || parameters->structure)) {
+        reader_problem(reader, node, "both a formula and a %s; one of them",
+                       parameters->picture ? "picture" : "structure");
     }
-    if (verb == ACTION_GUIDE && !path && !raster && !parameters->bound) {
+    if (parameters->picture && parameters->structure) {
+        reader_problem(reader, node, "both a picture and a structure; one of them");
+    }
+    bool laid = verb == ACTION_BRUSH_SOLVENT || verb == ACTION_BRUSH_INK || verb == ACTION_DRAW;
+    if ((verb == ACTION_GUIDE || laid) && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; a path, a formula or a picture");
     }
     if (verb == ACTION_MASK && !at && !path && !raster && !parameters->bound) {
@@ -262,11 +270,23 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
 
 enum { PARAMETERS_MAX = 16 };
 
+/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure. */
+static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX + 1])
+{
+    int count = key_count(action_keys(verb));
+    memcpy(keys, action_keys(verb), (size_t)count * sizeof *keys);
+    const struct key *picture = key_find(action_keys(verb), "picture");
+    if (picture && verb != ACTION_STOCK) {
+        keys[count] = *picture;
+        keys[count++].name = "structure";
+    }
+    return count;
+}
+
 static void read_parameters(struct reader *reader, const struct yaml_node *node, struct action *action, bool bound)
 {
     struct key keys[PARAMETERS_MAX + 1] = {{0}};
-    int count = key_count(action_keys(action->verb));
-    memcpy(keys, action_keys(action->verb), (size_t)count * sizeof *keys);
+    int count = parameter_keys(action->verb, keys);
     for (int i = 0; bound && i < count; i++) {
         keys[i].required = keys[i].required && keys[i].type != KEY_POINT && keys[i].type != KEY_PATH;
     }
@@ -303,6 +323,11 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     if (parameters.picture) {
         size_t length = reader_enter(reader, "picture");
         script_action_picture(reader, parameters.picture, action);
+        reader_leave(reader, length);
+    }
+    if (parameters.structure) {
+        size_t length = reader_enter(reader, "structure");
+        script_structure_read(reader, parameters.structure, action, NULL, NULL);
         reader_leave(reader, length);
     }
 }
