@@ -118,7 +118,8 @@ static void take_shape(struct garden *garden, const struct action *action)
     const struct key *key = &growth_keys[action->growth];
     struct growth_def *def = &garden->def.growth;
     char *at = (char *)def + key->offset;
-    int whole = (int)(action->value + (action->value < 0 ? -0.5f : 0.5f));
+    float value = action->value < 2e9f ? action->value : 2e9f;
+    int whole = (int)(value + 0.5f);
     if (strcmp(key->name, "metaphor") == 0 || strcmp(key->name, "tree") == 0) {
         bool metaphor = key->type == KEY_CHOICE;
         int seed = def->seed;
@@ -129,12 +130,12 @@ static void take_shape(struct garden *garden, const struct action *action)
         return;
     }
     if (key->type == KEY_NUMBER) {
-        float least = (float)key->min, most = (float)key->max, value = action->value;
+        float least = (float)key->min, most = (float)key->max;
         value = value >= least ? value <= most ? value : most : least;
         memcpy(at, &value, sizeof value);
     } else if (key->type == KEY_FLAG) {
-        bool value = whole != 0;
-        memcpy(at, &value, sizeof value);
+        bool on = whole != 0;
+        memcpy(at, &on, sizeof on);
     } else if (key->type == KEY_INTEGER || key->type == KEY_CHOICE) {
         int most = (int)key->max;
         while (key->type == KEY_CHOICE && key->choices[most + 1]) {

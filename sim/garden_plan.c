@@ -87,7 +87,7 @@ static void style(struct garden *garden)
     dendrite_thicken(dendrite, bed->importance, &thickness);
 }
 
-/* What stays keeps its birth, what is new is born from the last action on, beyond what it grows from. */
+/* What is there and stays keeps its birth, all else is born from the last action on, beyond what it grows from. */
 static void bear(struct garden *garden)
 {
     struct bed *bed = garden->bed;
@@ -101,7 +101,7 @@ static void bear(struct garden *garden)
         struct dendrite_node *node = &dendrite->nodes[i];
         const struct dendrite_node *parent = node->parent >= 0 ? &dendrite->nodes[node->parent] : NULL;
         int64_t planted = garden->seeds[garden_owner(bed, node->vertex)].tick - garden->origin;
-        if (bed->birth[node->vertex] < FLT_MAX) {
+        if (bed->birth[node->vertex] <= now) {
             node->birth = bed->birth[node->vertex];
         } else if (parent) {
             node->birth = (parent->birth > now ? parent->birth : now) + pace * (node->reach - parent->reach);
@@ -152,8 +152,9 @@ bool garden_grow(struct garden *garden)
     unsigned work = garden->work;
     bool anew = work & (WORK_LATTICE | WORK_IMPORTANCE | WORK_METRIC);
     lend(garden, &start);
-    bool good =
-        garden_weigh(garden, work) && replace_endpoints(garden, work) && garden_route(garden, anew) && trace(garden);
+    bool good = work & ~(unsigned)WORK_STYLE ? garden_weigh(garden, work) && replace_endpoints(garden, work) &&
+                                                   garden_route(garden, anew) && trace(garden)
+                                             : dendrite_arrange(garden->bed->dendrite);
     if (good) {
         style(garden);
         bear(garden);
