@@ -51,6 +51,7 @@ void figure_dendrites(struct figure *figure); /* figure_trees.c */
 void figure_metaphors(struct figure *figure);
 void figure_trees(struct figure *figure);
 void figure_composites(struct figure *figure);
+void figure_laplacian(struct figure *figure); /* figure_laplacian.c */
 
 /* Prints "ok" or "FAIL", the name of the group and the text; counts. Returns `holds`. */
 bool figure_check(struct figure *figure, bool holds, const char *text, ...) __attribute__((format(printf, 3, 4)));

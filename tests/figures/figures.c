@@ -42,6 +42,7 @@ static const struct figure_group GROUPS[] = {
     {"metaphors", "ink, vine, lightning, winter, frost, cracks", figure_metaphors},
     {"trees", "trees, and pictures in trees", figure_trees},
     {"composites", "trees in landscapes", figure_composites},
+    {"laplacian", "bolts, coral, attractors, masks, light", figure_laplacian},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };
