@@ -46,6 +46,7 @@ static const struct figure_group GROUPS[] = {
     {"photographs", "dendrites from real photographs", figure_photographs},
     {"hidden", "real photographs in trees", figure_hidden},
     {"portrait", "a portrait as growing ink", figure_portrait},
+    {"laplacian", "bolts, coral, attractors, masks, light", figure_laplacian},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };
