@@ -103,6 +103,8 @@ struct rectangle gray_scott_stroke_area(const struct gray_scott *chemistry, cons
                                         float radius);
 /* First states, over what is there: `count` discs at random places; grains at random, a share of the cells each painted
  * half and more; a mask, painted where it is light (or dark), as text and pictures give it. */
+/* Where the spot of that number falls, 0..1 of the sheet. */
+struct point gray_scott_seed_place(int number, uint32_t seed);
 void gray_scott_seed_spots(struct gray_scott *chemistry, int count, float radius, uint32_t seed);
 void gray_scott_seed_noise(struct gray_scott *chemistry, float share, uint32_t seed);
 void gray_scott_seed_mask(struct gray_scott *chemistry, const struct action_raster *mask, bool dark);
