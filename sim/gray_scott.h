@@ -62,8 +62,8 @@ void gray_scott_destroy(struct gray_scott *chemistry); /* takes NULL */
 /* Other parameters from now on, made legal. False when memory for maps is short: the old ones stay. */
 bool gray_scott_set(struct gray_scott *chemistry, const struct gray_scott_def *def);
 const struct gray_scott_def *gray_scott_get(const struct gray_scott *chemistry);
-/* The style map: brightness 0..1 over the sheet, one channel, copied; without values: none. False when memory is short.
- */
+/* The style map: brightness 0..1 over the sheet, copied; without values: none. With two channels the second is that of
+ * the kill rate. False when memory is short. */
 bool gray_scott_style(struct gray_scott *chemistry, const struct action_raster *brightness);
 /* Orientation of anisotropy: a vector field over the sheet, copied (a vector and its opposite are the same; none: no
  * anisotropy there); without values: the angle of the parameters. False when memory is short. */

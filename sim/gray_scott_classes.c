@@ -24,7 +24,7 @@ const struct gray_scott_preset gray_scott_presets[] = {
     {"mitosis", "λ", 0.0367f, 0.0649f, START_SPOTS, 6, CLASS_SPOTS, "Spots that divide until the sheet is full."},
     {"worms", "μ", 0.058f, 0.065f, START_SPOTS, 10, CLASS_WORMS, "Worms that grow from their ends and keep apart."},
     {"solitons", "ν", 0.054f, 0.067f, START_SPOTS, 6, CLASS_SPOTS, "Lonely spots that stay."},
-    {"spirals", "ξ", 0.014f, 0.047f, START_SPOTS, 10, CLASS_WAVES, "Spirals, as of Belousov and Zhabotinsky."},
+    {"spirals", "ξ", 0.014f, 0.049f, START_SPOTS, 10, CLASS_WAVES, "Spirals, as of Belousov and Zhabotinsky."},
     {"skates", "π", 0.062f, 0.0609f, START_BLUE, 6, CLASS_HOLES, "Stripes and holes that attract and repel."},
     {"red", "R", 0.050f, 0.070f, START_NOISE, 10, CLASS_UNIFORM, "All fades: a fresh sheet."},
     {"blue", "B", 0.050f, 0.050f, START_NOISE, 10, CLASS_UNIFORM, "All is filled, evenly."},
