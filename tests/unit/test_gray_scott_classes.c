@@ -22,7 +22,7 @@ static void presets(void **state)
     int seen[CLASSES] = {0};
     for (const struct gray_scott_preset *preset = gray_scott_presets; preset->name; preset++) {
         struct gray_scott_def def = gray_scott_preset_def(preset);
-        struct gray_scott *chemistry = gray_scott_create(SIDE, SIDE, &def, 0, VECTORS_BEST);
+        struct gray_scott *chemistry = gray_scott_create(SIDE, SIDE, &def, 1, VECTORS_BEST);
         struct gray_scott_figures figures;
         assert_non_null(chemistry);
         gray_scott_preset_start(chemistry, preset, 1);
