@@ -19,8 +19,6 @@ static const double WARM = 0.25;  /* of the windows are not counted */
 /* Growth: an hour, or a thousand visits; and what is let pass beside the noise of the windows, since allocators take
  * memory in steps. */
 static const double MOST_KB_H = 1024, MOST_KB_THOUSAND = 64, NOISE_KB = 1024;
-/* p95; where the machine does too much besides to reach the display's rate, so many of the frames that it does reach.
- */
 /* Under a sanitizer time says nothing. */
 #ifdef SANITIZED
 enum { UNHURRIED = true };
@@ -29,6 +27,8 @@ enum { UNHURRIED = false };
 #endif
 /* Of frames at their vertical blank: all of it is drawn by the processor here, beside the painting and the faults. */
 static const double SHARE_LEAST = 0.5;
+/* p95; where the machine does too much besides to reach the display's rate, so many of the frames that it does reach.
+ */
 static const double MS_MOST = 70, FRAME_MS_GOOD = 20, FRAMES_MOST = 20;
 
 static int entries(const char *folder)
