@@ -3,7 +3,7 @@ layout(location = 0) uniform ivec2 panel;
 layout(location = 1) uniform mat2 turn; // from the sheet's clip coordinates to the panel's
 layout(location = 2) uniform float before; // share of the one before
 layout(location = 3) uniform vec4 grow[2]; // ticks since the earliest birth, ticks a step of birth, whether a texel is
-                                           // a pixel, whether there is a plate
+                                           // a pixel; 0 no plate, 1 its ground alone, 2 all
 layout(location = 5) uniform vec4 ground[2]; // multiplied by alpha
 
 layout(binding = 0) uniform sampler2D colour_now; // row 0 at the top
@@ -21,6 +21,9 @@ const float RUN = 0.07;    // of the height of the sheet, that water takes thing
 
 vec4 revealed(sampler2D colour, usampler2D birth, sampler2D water, vec4 how, vec4 under, vec2 at)
 {
+    if (how.w < 1.5) {
+        return under;
+    }
     float wet = textureLod(water, at, 0.0).r;
     ivec2 size = textureSize(birth, 0);
     vec2 from = vec2(at.x, at.y - RUN * wet * wet);
@@ -29,8 +32,8 @@ vec4 revealed(sampler2D colour, usampler2D birth, sampler2D water, vec4 how, vec
     vec4 own = how.z > 0.5 && wet <= 0.0 ? texelFetch(colour, texel, 0) : textureLod(colour, from, 0.0);
     float up = born == NEVER ? 0.0 : clamp((how.x - float(born) * how.y) / SOFT, 0.0, 1.0);
     float stays = 1.0 - smoothstep(0.1, 1.0, wet);
-    own *= up * up * (3.0 - 2.0 * up);
-    return stays * (own + under * (1.0 - own.a));
+    own *= stays * up * up * (3.0 - 2.0 * up);
+    return own + under * (1.0 - own.a);
 }
 
 void main()

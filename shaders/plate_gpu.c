@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <GLES3/gl31.h>
 
@@ -17,7 +18,7 @@ enum {
 /* A plate on the GPU. The least birth is PLATE_SOFT ticks before the plate's tick: what was born then or before is
  * there. */
 struct layer {
-    bool shown;
+    enum shown { SHOWN_NOT, SHOWN_GROUND, SHOWN_ALL } shown;
     unsigned colour, birth, water; /* water 0: dry */
     int width, height;             /* of the textures; 0: none */
     int water_width, water_height;
@@ -66,7 +67,7 @@ static void finish_layer(struct layer *layer)
     texture_delete(&layer->colour);
     texture_delete(&layer->birth);
     texture_delete(&layer->water);
-    *layer = (struct layer){.shown = false};
+    *layer = (struct layer){.shown = SHOWN_NOT};
 }
 
 void plate_gpu_destroy(struct plate_gpu *plate)
@@ -118,7 +119,7 @@ static bool begin(struct plate_gpu *plate, const struct plate *from)
 {
     struct layer *layer = &plate->before;
     plate->coming = NULL;
-    layer->shown = false;
+    layer->shown = SHOWN_NOT;
     if (from->width <= 0 || from->height <= 0 || !fit(layer, from->width, from->height)) {
         return false;
     }
@@ -168,7 +169,7 @@ static bool bring(struct plate_gpu *plate, int rows)
 }
 
 /* What was before and what is now change places. */
-static void swap(struct plate_gpu *plate, bool shown)
+static void swap(struct plate_gpu *plate, enum shown shown)
 {
     struct layer now = plate->now;
     plate->now = plate->before;
@@ -184,24 +185,31 @@ enum plate_bring plate_gpu_bring(struct plate_gpu *plate, const struct plate *fr
     int left = good ? from->height - plate->rows : 0;
     if (!good || !bring(plate, rows < left ? rows : left)) {
         finish_layer(&plate->before);
-        swap(plate, false);
+        swap(plate, SHOWN_NOT);
         return PLATE_REFUSED;
     }
     if (rows < left) {
         return PLATE_COMING;
     }
-    swap(plate, true);
+    swap(plate, SHOWN_ALL);
     return PLATE_WHOLE;
 }
 
 bool plate_gpu_set(struct plate_gpu *plate, const struct plate *from)
 {
     if (!from) {
-        swap(plate, false);
+        swap(plate, SHOWN_NOT);
         return true;
     }
     plate->coming = NULL;
     return plate_gpu_bring(plate, from, from->height) == PLATE_WHOLE;
+}
+
+void plate_gpu_bare(struct plate_gpu *plate)
+{
+    bool ground = plate->now.shown != SHOWN_NOT && plate->now.ground[3] > 0;
+    swap(plate, ground ? SHOWN_GROUND : SHOWN_NOT);
+    memcpy(plate->now.ground, plate->before.ground, sizeof plate->now.ground);
 }
 
 void plate_gpu_water(struct plate_gpu *plate, const uint8_t *water, int width, int height)
@@ -235,10 +243,11 @@ static void take_layer(const struct plate_gpu *plate, const struct layer *layer,
                  panel_height == (turned ? layer->width : layer->height);
     float age = (float)(tick - (double)layer->tick) + PLATE_SOFT;
     float step = layer->steps > 0 ? 1 / layer->steps : 0;
-    take(3 * which, layer->shown ? layer->colour : plate->dry);
-    take(3 * which + 1, layer->shown ? layer->birth : 0);
-    take(3 * which + 2, layer->shown && layer->water ? layer->water : plate->dry);
-    glUniform4f(3 + which, age, step, exact, layer->shown);
+    bool all = layer->shown == SHOWN_ALL;
+    take(3 * which, all ? layer->colour : plate->dry);
+    take(3 * which + 1, all ? layer->birth : 0);
+    take(3 * which + 2, all && layer->water ? layer->water : plate->dry);
+    glUniform4f(3 + which, age, step, exact, (float)layer->shown);
     glUniform4fv(5 + which, 1, layer->ground);
 }
 

@@ -26,6 +26,8 @@ void plate_gpu_destroy(struct plate_gpu *plate); /* takes NULL */
 /* Another plate, copied to the GPU, in place of the one there is, which is the one before from now on. NULL: none.
  * False when GL has no memory or takes no such size: there is none then. */
 bool plate_gpu_set(struct plate_gpu *plate, const struct plate *from);
+/* None, but its ground, in place of the one there is. */
+void plate_gpu_bare(struct plate_gpu *plate);
 
 enum plate_bring {
     PLATE_COMING,  /* there are more rows to bring; until then what was shown stays */
@@ -37,7 +39,8 @@ enum plate_bring {
 enum plate_bring plate_gpu_bring(struct plate_gpu *plate, const struct plate *from, int rows);
 
 /* Water over the plate that is shown now: 0 dry .. 255 all is gone, width * height values over the whole sheet from the
- * top left, filtered linearly; what is under it runs down and leaves. NULL: dry, as every plate comes. */
+ * top left, filtered linearly; what is under it runs down and leaves, but for the ground. NULL: dry, as every plate
+ * comes. */
 void plate_gpu_water(struct plate_gpu *plate, const uint8_t *water, int width, int height);
 
 /* Lays the plate as of a tick (with a fraction), not before its own, mixed with the one before by `before` (0..1: the

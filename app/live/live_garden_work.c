@@ -81,9 +81,8 @@ static void take_order(struct live_garden *live, const struct garden_order *orde
 
 static void take_all(struct live_garden *live, struct inbox *inbox)
 {
-    double now_s = bench_wall_s();
     for (int i = 0; i < inbox->count; i++) {
-        take_order(live, &inbox->orders[i], now_s);
+        take_order(live, &inbox->orders[i], bench_wall_s());
     }
     inbox_finish(inbox);
 }

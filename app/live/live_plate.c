@@ -6,7 +6,9 @@
 
 enum { ROWS = 64 };
 
-static const double CHANGE_S = 0.4, SHEET_S = 0.8 /* as live_picture_hold */, HURRY = 3, BRING_S = 0.004;
+static const double CHANGE_S = 0.4, SHEET_S = 0.8 /* as live_picture_hold */, HURRY = 3;
+/* Of a frame, that a plate may take to be brought: so much, or this share of what the last frame took. */
+static const double BRING_S = 0.004, BRING_SHARE = 0.25;
 
 void live_plate_init(struct live_plate *plate, struct live_garden *garden, const struct shader_folder *folder)
 {
@@ -26,12 +28,18 @@ static void fade(struct live_plate *plate, double seconds)
     plate->fade_s = seconds;
 }
 
-static void show_none(struct live_plate *plate, double seconds)
+/* `ground` stays: what comes is likely to have the same, and between them is no flash. */
+static void show_none(struct live_plate *plate, double seconds, bool ground)
 {
-    plate_gpu_set(plate->gpu, NULL);
-    if (plate->shown) {
+    if (ground) {
+        plate_gpu_bare(plate->gpu);
+    } else {
+        plate_gpu_set(plate->gpu, NULL);
+    }
+    if (plate->shown || plate->bare) {
         fade(plate, seconds);
     }
+    plate->bare = ground && (plate->shown || plate->bare);
     plate->shown = plate->bringing = false;
 }
 
@@ -41,22 +49,24 @@ static bool make(struct live_plate *plate, struct shader_error *error)
     plate->gpu = plate_gpu_create(plate->folder, error);
     plate->before = 0;
     plate->rinse = 0;
+    plate->bare = false;
     if (plate->gpu && plate->shown) {
         plate->shown = plate_gpu_set(plate->gpu, &plate->newest->plate);
     }
     return plate->gpu;
 }
 
-static void bring(struct live_plate *plate)
+static void bring(struct live_plate *plate, double frame_s)
 {
     enum plate_bring state = PLATE_COMING;
-    double end_s = bench_wall_s() + BRING_S;
+    double end_s = bench_wall_s() + fmax(BRING_S, BRING_SHARE * frame_s);
     do {
         state = plate_gpu_bring(plate->gpu, &plate->newest->plate, ROWS);
     } while (state == PLATE_COMING && bench_wall_s() < end_s);
     plate->bringing = state == PLATE_COMING;
     if (!plate->bringing) {
         plate->shown = state == PLATE_WHOLE;
+        plate->bare = false;
         plate->rinse = plate->newest->sequence;
         fade(plate, CHANGE_S);
     }
@@ -72,14 +82,14 @@ static void take_newest(struct live_plate *plate, const struct live_garden_sheet
     if (plate->newest->any) {
         plate->bringing = true;
     } else {
-        show_none(plate, CHANGE_S);
+        show_none(plate, CHANGE_S, false);
     }
 }
 
 static void run_water(struct live_plate *plate, const struct live_garden_sheet *sheet)
 {
     uint8_t water[LIVE_WATER_WIDTH * LIVE_WATER_HEIGHT];
-    if (sheet->rinsed && sheet->rinse > plate->rinse && plate->shown && !plate->bringing) {
+    if (sheet->rinsed && sheet->rinse > plate->rinse && plate->shown) {
         live_garden_water(plate->garden, water);
         plate_gpu_water(plate->gpu, water, LIVE_WATER_WIDTH, LIVE_WATER_HEIGHT);
         plate->rinse = sheet->rinse;
@@ -89,18 +99,19 @@ static void run_water(struct live_plate *plate, const struct live_garden_sheet *
 /* From one plate to the next; the next but one waits for it, and it hurries then. */
 static void go_on(struct live_plate *plate, const struct live_garden_sheet *sheet, double now_s)
 {
-    double passed = (now_s - plate->last_s) / plate->fade_s;
+    double frame_s = fmin(now_s - plate->last_s, CHANGE_S);
+    double passed = frame_s / plate->fade_s;
     plate->before = fmax(plate->before - passed * (live_garden_has_newer(plate->garden) ? HURRY : 1), 0);
     plate->last_s = now_s;
     if (sheet->number != plate->sheet) {
-        show_none(plate, SHEET_S);
+        show_none(plate, SHEET_S, true);
         plate->sheet = sheet->number;
     }
     if (!(plate->before > 0) && !plate->bringing) {
         take_newest(plate, sheet);
     }
     if (plate->bringing) {
-        bring(plate);
+        bring(plate, frame_s);
     }
     run_water(plate, sheet);
 }

@@ -14,6 +14,7 @@ struct live_plate {
     const struct live_garden_plate *newest;
     bool shown;    /* the newest is what is shown, or is about to be */
     bool bringing; /* its rows are on their way */
+    bool bare;     /* the ground of another sheet's may be shown */
     int sheet;     /* that is shown */
     uint64_t rinse;
     double before;         /* share of the plate before, 1 to 0, not eased */

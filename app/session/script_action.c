@@ -134,8 +134,8 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
     int width = reader->script->width, height = reader->script->height;
     int channels = raster_channels(kind);
     struct script_picture picture = {0};
-    if (action->verb != ACTION_STOCK &&
-        !script_take_values(reader, node, (size_t)width * (size_t)height * (size_t)channels)) {
+    size_t values_of_sheet = (size_t)width * (size_t)height * (size_t)channels;
+    if (action->verb != ACTION_STOCK && !script_take_values(reader, node, values_of_sheet)) {
         return false;
     }
     if (!reader->def->load(reader->def->data, reader->folder, node->text, &picture, error, sizeof error)) {

@@ -207,7 +207,8 @@ static void between_two_ticks(void **state)
         plate.birth[i] = 4;
     }
     assert_true(plate_gpu_set(bench.plate, &plate));
-    for (double tick = 3.5; tick < 17; tick += 0.21) {
+    for (int i = 0; i < 64; i++) {
+        double tick = 3.5 + 0.21 * i;
         double up = fmin(fmax((tick - 4) / PLATE_SOFT, 0), 1);
         memset(bench.want, (int)lround(255 * up * up * (3 - 2 * up)), sizeof bench.want);
         present(&bench, tick, 0);
@@ -341,6 +342,38 @@ static void water_takes_it_along(void **state)
     drop_context(&bench);
 }
 
+/* A fresh sheet: what grew goes, and the ground it grew on stays until another comes. */
+static void the_ground_stays(void **state)
+{
+    (void)state;
+    struct bench bench = open_bench(0, true);
+    struct plate plate = make_plate(WIDTH, HEIGHT, 8, 100), bare;
+    uint8_t water[1] = {255};
+    memcpy(plate.ground, (uint8_t[]){10, 20, 40, 200}, 4);
+    assert_true(plate_init(&bare, WIDTH, HEIGHT));
+    memcpy(bare.ground, plate.ground, 4);
+    assert_true(plate_gpu_set(bench.plate, &plate));
+    plate_gpu_water(bench.plate, water, 1, 1);
+    reveal(&bench, &bare, 1050);
+    present(&bench, 1050, 0);
+    compare(&bench, WITHIN);
+    assert_true(plate_gpu_set(bench.plate, &plate));
+    plate_gpu_bare(bench.plate);
+    present(&bench, 1050, 0);
+    compare(&bench, WITHIN);
+    reveal(&bench, &plate, 1050);
+    present(&bench, 1050, 1);
+    compare(&bench, 3);
+    assert_true(plate_gpu_set(bench.plate, NULL));
+    plate_gpu_bare(bench.plate); /* none has none */
+    memcpy(bench.want, bench.sheet, sizeof bench.want);
+    present(&bench, 1050, 0);
+    compare(&bench, 0);
+    plate_finish(&plate);
+    plate_finish(&bare);
+    drop_context(&bench);
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -386,9 +419,16 @@ static void a_lost_context(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_way_a_panel_hangs), cmocka_unit_test(it_grows),   cmocka_unit_test(between_two_ticks),
-        cmocka_unit_test(one_turns_into_another), cmocka_unit_test(row_by_row), cmocka_unit_test(of_another_size),
-        cmocka_unit_test(water_takes_it_along),   cmocka_unit_test(refusals),   cmocka_unit_test(a_lost_context),
+        cmocka_unit_test(each_way_a_panel_hangs),
+        cmocka_unit_test(it_grows),
+        cmocka_unit_test(between_two_ticks),
+        cmocka_unit_test(one_turns_into_another),
+        cmocka_unit_test(row_by_row),
+        cmocka_unit_test(of_another_size),
+        cmocka_unit_test(water_takes_it_along),
+        cmocka_unit_test(the_ground_stays),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(a_lost_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
