@@ -27,6 +27,8 @@ enum { UNHURRIED = true };
 #else
 enum { UNHURRIED = false };
 #endif
+/* Of frames at their vertical blank: all of it is drawn by the processor here, beside the painting and the faults. */
+static const double SHARE_LEAST = 0.5;
 static const double MS_MOST = 70, FRAME_MS_GOOD = 20, FRAMES_MOST = 20;
 
 static int entries(const char *folder)
@@ -345,6 +347,12 @@ void gauge_judge(struct gauge *gauge, struct soak *soak, bool slopes)
     if (gauge->tick.total == 0 || gauge->flip.total == 0 || late) {
         soak_fail(soak, "95 of 100 actions must reach their tick and their frame in %.0f ms, with frames of %.0f ms",
                   most, frame_ms);
+    }
+    double share = (double)frames.presented / (double)(frames.presented + frames.missed + 1);
+    if (slopes && !UNHURRIED && (share < SHARE_LEAST || soak->slow_turns > soak->turns / 1000 + 1)) {
+        soak_fail(soak,
+                  "%.0f %% of frames must come at their time, and turns within half a second, but for one in 1000",
+                  100 * SHARE_LEAST);
     }
     if (gauge->kept_most < 1 || gauge->kept_most > SOAK_PICTURES + 1 ||
         gauge->bytes_most > (SOAK_MEGABYTES << 20) + (SOAK_MEGABYTES << 20) / 4) {
