@@ -100,6 +100,7 @@ static int write_text(const struct soak *soak, char *text, size_t size)
                     "scenes:\n"
                     "  - {id: leaf, inks: [cyan, magenta, ochre], guide: pictures/leaf.png}\n"
                     "  - {id: plain, inks: [turquoise, sienna, black]}\n"
+                    "  - {id: garden, kind: trees, trees: {over: pictures/leaf.png, endpoints: 300}}\n"
                     "pictures: pictures\n"
                     "%s"
                     "inputs:\n"
