@@ -152,8 +152,9 @@ bool garden_grow(struct garden *garden)
     unsigned work = garden->work;
     bool anew = work & (WORK_LATTICE | WORK_IMPORTANCE | WORK_METRIC);
     lend(garden, &start);
-    bool good =
-        garden_weigh(garden, work) && replace_endpoints(garden, work) && garden_route(garden, anew) && trace(garden);
+    bool good = work & ~(unsigned)WORK_STYLE ? garden_weigh(garden, work) && replace_endpoints(garden, work) &&
+                                                   garden_route(garden, anew) && trace(garden)
+                                             : dendrite_arrange(garden->bed->dendrite);
     if (good) {
         style(garden);
         bear(garden);

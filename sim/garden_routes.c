@@ -12,8 +12,8 @@ enum {
 static const float STEM = 0.6f; /* of the lattice's detail: how far a stem goes at most through what does not matter */
 static const float WAY_WIDE = 0.03f; /* of the lattice's detail: half the width of a way to a seed */
 
-/* Fills bed->seeds; whether they are as before. */
-static bool place_seeds(struct garden *garden)
+/* Fills bed->seeds; how many more they are than before, where those of before are the first of them, else -1. */
+static int32_t place_seeds(struct garden *garden)
 {
     struct bed *bed = garden->bed;
     int32_t count = 0;
@@ -28,14 +28,14 @@ static bool place_seeds(struct garden *garden)
             fresh = fresh && bed->seeds[k] != node; /* two in one place are one */
         }
         if (fresh) {
-            same = same && count < bed->seed_count && bed->seeds[count] == node;
+            same = same && (count >= bed->seed_count || bed->seeds[count] == node);
             bed->seeds[count] = node;
             bed->owners[count++] = i;
         }
     }
-    same = same && count == bed->seed_count;
+    int32_t more = same && bed->seed_count > 0 ? count - bed->seed_count : -1;
     bed->seed_count = count;
-    return same;
+    return more;
 }
 
 /* The square of the distance of a node to the line from a seed to the middle of the picture. */
@@ -217,10 +217,23 @@ static void part(struct bed *bed)
     }
 }
 
+/* Ways to the nearest seed, where so many seeds more are there (-1: others), and weights have changed. */
+static bool find_nearest(struct bed *bed, struct rectangle changed, int32_t more)
+{
+    if (more < 0 || (more > 0 && !rectangle_is_empty(changed))) { /* a way from beyond the picture changes much */
+        return routes_plan(bed->near, METRIC_CUMULATIVE, 0, bed->seeds, bed->seed_count);
+    }
+    bool good = true;
+    for (int32_t i = bed->seed_count - more; i < bed->seed_count && good; i++) {
+        good = routes_add(bed->near, bed->seeds[i]);
+    }
+    return good && (rectangle_is_empty(changed) || routes_replan(bed->near, changed));
+}
+
 bool garden_route(struct garden *garden, bool anew)
 {
     struct bed *bed = garden->bed;
-    bool same = place_seeds(garden);
+    int32_t more = place_seeds(garden);
     enum metric metric = (enum metric)garden->def.growth.metric;
     int emphasis = garden->def.growth.emphasis;
     for (int32_t i = 0; i < bed->base->nodes; i++) {
@@ -244,13 +257,11 @@ bool garden_route(struct garden *garden, bool anew)
     if (bed->seed_count == 0) {
         return true;
     }
-    bool good = anew || !same ? routes_plan(bed->near, METRIC_CUMULATIVE, 0, bed->seeds, bed->seed_count)
-                              : rectangle_is_empty(changed) || routes_replan(bed->near, changed);
-    if (!good) {
+    if (!find_nearest(bed, changed, anew ? -1 : more)) {
         return false;
     }
     share_out(bed);
-    same = lead_stems(bed);
+    bool same = lead_stems(bed);
     part(bed);
     changed = change(bed, bed->walled);
     return anew || !same ? routes_plan(bed->routes, metric, emphasis, bed->roots, bed->root_count)

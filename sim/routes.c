@@ -234,6 +234,33 @@ bool routes_plan(struct routes *routes, enum metric metric, int emphasis, const 
     return !routes->queue.failed;
 }
 
+bool routes_add(struct routes *routes, int32_t seed)
+{
+    int32_t count = routes->seed_count, *seeds = malloc(((size_t)count + 1) * sizeof *seeds);
+    if (!seeds) {
+        forget(routes);
+        return false;
+    }
+    memcpy(seeds, routes->seeds, (size_t)count * sizeof *seeds);
+    seeds[count] = seed;
+    bool good = routes->metric != METRIC_CUMULATIVE
+                    ? routes_plan(routes, routes->metric, routes->emphasis, seeds, count + 1)
+                    : keep_seeds(routes, seeds, count + 1);
+    free(seeds);
+    if (good && routes->metric == METRIC_CUMULATIVE) {
+        routes->label[seed] = 0;
+        routes->toward[seed] = ROUTES_SEED;
+        route_queue_start(&routes->queue, queue_shift(routes), has_long_steps(routes));
+        route_queue_push(&routes->queue, 0, seed);
+        settle_all(routes, METRIC_CUMULATIVE);
+        good = !routes->queue.failed;
+    }
+    if (!good) {
+        forget(routes);
+    }
+    return good;
+}
+
 /* Forgets the ways of `node` and of all that lead through it; returns how many, on the stack from `base`. */
 static int32_t forget_beyond(struct routes *routes, int32_t node, int32_t base)
 {

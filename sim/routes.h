@@ -45,6 +45,10 @@ bool routes_plan(struct routes *routes, enum metric metric, int emphasis, const 
  * there are no routes then. */
 bool routes_replan(struct routes *routes, struct rectangle changed);
 
+/* One more seed: the same routes as planning anew with it behind the others, at the cost of those that change (but for
+ * METRIC_CUMULATIVE: of planning anew). False when memory is short: there are no routes then. */
+bool routes_add(struct routes *routes, int32_t seed);
+
 /* The next node on the way to the seed, ROUTES_SEED or ROUTES_NONE. */
 const int32_t *routes_toward(const struct routes *routes);
 /* The most expensive edge of a node's way, and the sum of all, in ROUTES_AXIS parts of a unit. Of a seed 0. The maximum

@@ -40,4 +40,7 @@ bool bench_graphics(struct bench *bench);
 /* Dendrites and trees from pictures. False when memory is short. */
 bool bench_trees(struct bench *bench);
 
+/* Gray-Scott. False when memory is short, or with the reason in meaning_text. */
+bool bench_chemistry(struct bench *bench);
+
 #endif
