@@ -109,6 +109,7 @@ static int write_text(const struct soak *soak, char *text, size_t size)
                     "  bindings:\n"
                     "    - {touch: press, drop: {}}\n"
                     "    - {touch: drag, brush_ink: {}}\n"
+                    "    - {touch: press, plant: {}}\n"
                     "    - {usage: Button 1, controller: pad, pour: {radius: %d}}\n"
                     "    - {usage: Button 2, controller: pad, undo: {}}\n"
                     "    - {usage: Button 3, controller: pad, next_scene: {}}\n"
