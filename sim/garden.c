@@ -318,42 +318,42 @@ static void move_origin(struct garden *garden)
     garden->work |= WORK_STYLE;
 }
 
-void garden_act(struct garden *garden, int64_t tick, const struct action *given)
+void garden_act(struct garden *garden, int64_t tick, const struct action *action)
 {
-    struct action action = action_legal(given);
+    struct action legal = action_legal(action);
     garden->origin = garden->begun ? garden->origin : tick;
     garden->now = garden->begun && tick < garden->now ? garden->now : tick;
     garden->begun = true;
     if (garden->now - garden->origin > SPAN_MOST) {
         move_origin(garden);
     }
-    switch (action.verb) {
+    switch (legal.verb) {
     case ACTION_STOCK:
-        take_stock(garden, &action.picture);
+        take_stock(garden, &legal.picture);
         break;
     case ACTION_SHAPE:
-        take_shape(garden, &action);
+        take_shape(garden, &legal);
         break;
     case ACTION_PLANT:
-        take_plant(garden, &action);
+        take_plant(garden, &legal);
         break;
     case ACTION_TEND:
-        take_tend(garden, &action);
+        take_tend(garden, &legal);
         break;
     case ACTION_HOLD:
-        take_hold(garden, &action);
+        take_hold(garden, &legal);
         break;
     case ACTION_UNDO:
-        take_undo(garden, action.visitor);
+        take_undo(garden, legal.visitor);
         break;
     case ACTION_REDO:
-        take_redo(garden, action.visitor);
+        take_redo(garden, legal.visitor);
         break;
     case ACTION_CLEAR:
         take_clear(garden);
         break;
     case ACTION_RINSE:
-        take_rinse(garden, &action);
+        take_rinse(garden, &legal);
         break;
     default:
         break;

@@ -5,6 +5,8 @@
 #include "garden_state.h"
 
 enum {
+    UNKNOWN = 254, /* owners */
+    NOBODY = 255,
     EVEN_WEIGHT = 800, /* half of what counts for who is nearest, so that every seed has its share */
     WAY_CHEAPER = 8,   /* outside the picture, where nothing else would take a seed there */
 };
@@ -148,7 +150,7 @@ static bool lead_stems(struct bed *bed)
     }
     for (int32_t node = 0; node < bed->base->nodes; node++) {
         int owner = bed->owner[node];
-        if (owner >= 0 && toward[node] >= 0) {
+        if (owner < bed->seed_count && toward[node] >= 0) {
             uint64_t cost = routes_sum(bed->near, node) + worth * bed->full[node];
             bed->stems[owner] = cost < best[owner] ? node : bed->stems[owner];
             best[owner] = cost < best[owner] ? cost : best[owner];
@@ -170,18 +172,17 @@ static bool lead_stems(struct bed *bed)
 /* Whose each node is, from the ways to the nearest seed. */
 static void share_out(struct bed *bed)
 {
-    enum { UNKNOWN = -2, NOBODY = -1 };
     const int32_t *toward = routes_toward(bed->near);
     memset(bed->owner, UNKNOWN, (size_t)bed->base->nodes);
     for (int32_t i = 0; i < bed->seed_count; i++) {
-        bed->owner[bed->seeds[i]] = (int8_t)i;
+        bed->owner[bed->seeds[i]] = (uint8_t)i;
     }
     for (int32_t i = 0; i < bed->base->nodes; i++) {
         int32_t node = i;
         while (bed->owner[node] == UNKNOWN && toward[node] >= 0) {
             node = toward[node];
         }
-        int8_t owner = bed->owner[node] == UNKNOWN ? NOBODY : bed->owner[node];
+        uint8_t owner = bed->owner[node] == UNKNOWN ? NOBODY : bed->owner[node];
         for (node = i; bed->owner[node] == UNKNOWN; node = toward[node] >= 0 ? toward[node] : node) {
             bed->owner[node] = owner;
         }
@@ -204,9 +205,9 @@ static void part(struct bed *bed)
     for (int y = 0; y < bed->height; y++) {
         for (int x = 0; x < bed->width; x++) {
             int32_t node = lattice_node(open, x, y);
-            for (int d = 0; d < LATTICE_NEIGHBOURS && bed->owner[node] > 0; d++) {
+            for (int d = 0; d < LATTICE_NEIGHBOURS && bed->owner[node] < bed->seed_count; d++) {
                 int32_t next = node + open->step[d];
-                if (open->weight[next] > 0 && bed->owner[next] >= 0 && bed->owner[next] < bed->owner[node]) {
+                if (open->weight[next] > 0 && bed->owner[next] < bed->owner[node]) {
                     bed->spare[node] = 0;
                 }
             }
@@ -270,6 +271,6 @@ bool garden_route(struct garden *garden, bool anew)
 
 int garden_owner(const struct bed *bed, int32_t node)
 {
-    int8_t owner = bed->owner[node];
-    return bed->owners[owner < 0 ? 0 : owner];
+    int owner = bed->owner[node];
+    return bed->owners[owner < bed->seed_count ? owner : 0];
 }

@@ -55,7 +55,7 @@ struct bed {
     int32_t stems[GARDEN_SEEDS]; /* nodes where the stems of these end */
     int32_t seed_count;
     int32_t *roots, root_count; /* nodes of all stems: what the structure grows from */
-    int8_t *owner;              /* of each node, where there is more than one seed: index into these; -1 */
+    uint8_t *owner;             /* of each node: index into these; 255: nobody's */
     float *birth;               /* of each node: ticks since garden->origin; FLT_MAX: not there */
     float *left;                /* of each node: what water has left of it, 0..1 */
     float *washed;              /* ticks since origin when it took some; -FLT_MAX: never */
