@@ -128,8 +128,9 @@ static bool draw(struct live *live)
         return true;
     }
     const struct fields *fields = studio_newest(live->studio, &fresh);
-    if (!fields || (!fresh && !live_kiosk_changed(&live->kiosk) && !live_picture_fades(&live->picture) &&
-                    !live_plate_moves(&live->plate) && now - live->presented_s < AGAIN_S)) {
+    bool moves = fresh || live_plate_moves(&live->plate);
+    if (!fields || (!moves && !live_kiosk_changed(&live->kiosk) && !live_picture_fades(&live->picture) &&
+                    now - live->presented_s < AGAIN_S)) {
         nap();
         return true;
     }
@@ -141,10 +142,12 @@ static bool draw(struct live *live)
     }
     live_input_draws(&live->input, live->display, fields->number);
     display_end(live->display);
-    if (live->presented_s > 0 && fresh) {
+    bool goes_on = live->moved && live->presented_s > 0; /* after a rest, no frame was late */
+    live->moved = moves;
+    if (goes_on && moves) {
         status_frame(&live->service.status.frames, now - live->presented_s);
     }
-    if (live->def->governed && live->presented_s > 0 && fresh) {
+    if (live->def->governed && goes_on && fresh) {
         const char *line = live_care_frame(&live->care, live->studio, 1000 * (now - live->presented_s),
                                            controls_are_held(live->input.controls));
         if (line) {

@@ -39,6 +39,7 @@ struct live {
     enum display_state state;
     char described[300]; /* what was said of the display last */
     double presented_s;  /* when a frame was presented last */
+    bool moved;          /* something on it was new */
     double second_s;     /* when it was looked after last */
     bool said_end;
 };
