@@ -139,7 +139,7 @@ static const struct script_case ACTIONS[] = {
            "inks: [cyan, magenta]\n"
            "actions:\n"
            "  - {tick: 1, draw: {ink: cyan}}\n"),
-     "s.yaml:4:21: actions[0].draw.path: missing; 1 to 10000 points [x, y], each 0 to 1 of the sheet\n"},
+     "s.yaml:4:21: actions[0].draw: no place is given; a path, a formula or a picture\n"},
     {"path empty",
      BYTES("frond: 1\n"
            "inks: [cyan, magenta]\n"
