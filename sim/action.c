@@ -168,7 +168,8 @@ static const struct key STOCK[] = {
 };
 static const struct key SHAPE[] = {
     {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, FIELD(growth), true, "What to set, as of frond grow."},
-    NUMBER(value, "as that", -10000, 100000, 0, "Its value; of a choice, its number from 0."),
+    NUMBER(value, "as that", 0, 2147483647.0, 0,
+           "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
 };
 static const struct key PLANT[] = {

@@ -4,12 +4,13 @@
 #include <string.h>
 
 #include "formula.h"
+#include "garden.h"
 #include "raster.h"
 #include "script_structure.h"
 
 /* What one verb's parameters need to know of each other. */
 struct parameters {
-    const struct key *coefficient;   /* that `set` sets; NULL for other verbs, or where it is wrong */
+    const struct key *setting;       /* what `set` or `shape` sets; NULL for other verbs, or where it is wrong */
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
     const struct yaml_node *structure; /* in place of the picture */
@@ -104,6 +105,16 @@ static enum raster_kind kind_of(const struct action *action)
                                                  : RASTER_TOWARDS_DARK;
 }
 
+static void size_stock(const struct script_picture *picture, int *width, int *height)
+{
+    int longer = picture->width > picture->height ? picture->width : picture->height;
+    int side = longer < GARDEN_STOCK_SIDE ? longer : GARDEN_STOCK_SIDE;
+    *width = (int)((int64_t)picture->width * side / longer);
+    *height = (int)((int64_t)picture->height * side / longer);
+    *width = *width > 0 ? *width : 1;
+    *height = *height > 0 ? *height : 1;
+}
+
 bool script_action_picture(struct reader *reader, const struct yaml_node *node, struct action *action)
 {
     char found[128], error[256] = "";
@@ -122,15 +133,23 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
     enum raster_kind kind = kind_of(action);
     int width = reader->script->width, height = reader->script->height;
     int channels = raster_channels(kind);
-    size_t count = (size_t)width * (size_t)height * (size_t)channels;
-    if (!script_take_values(reader, node, count)) {
+    struct script_picture picture = {0};
+    size_t values_of_sheet = (size_t)width * (size_t)height * (size_t)channels;
+    if (action->verb != ACTION_STOCK && !script_take_values(reader, node, values_of_sheet)) {
         return false;
     }
-    struct script_picture picture = {0};
     if (!reader->def->load(reader->def->data, reader->folder, node->text, &picture, error, sizeof error)) {
         reader_problem(reader, node, "%s", error);
         return false;
     }
+    if (action->verb == ACTION_STOCK) { /* its own shape, not the sheet's */
+        size_stock(&picture, &width, &height);
+        if (!script_take_values(reader, node, (size_t)width * (size_t)height)) {
+            free(picture.values);
+            return false;
+        }
+    }
+    size_t count = (size_t)width * (size_t)height * (size_t)channels;
     float *values = reader_take(reader, count * sizeof *values);
     bool good = values && raster_from_picture(&picture, kind, width, height, values);
     free(picture.values);
@@ -141,21 +160,41 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
     return good;
 }
 
-/* `value` and `to` of `set` have the type and range of their coefficient. */
-static bool read_setting(struct reader *reader, const struct key *key, const struct yaml_node *node,
-                         const struct key *coefficient, struct action *action)
+static bool is_number(const struct yaml_node *node)
 {
-    float *setting = (float *)(void *)((char *)action + key->offset);
-    if (coefficient->type == KEY_CHOICE) {
-        struct names names = names_of_choices(coefficient->choices);
-        int choice = 0;
-        bool good = value_choice(reader, &names, "choice", node, &choice);
-        *setting = (float)choice;
-        return good;
-    }
+    return node->kind == YAML_SCALAR &&
+           (strchr("+-.", node->text[0]) || (node->text[0] >= '0' && node->text[0] <= '9'));
+}
+
+/* `value` and `to` of `set`, `value` of `shape`: type and range of what they set. */
+static bool read_setting(struct reader *reader, const struct key *key, const struct yaml_node *node,
+                         const struct key *setting, struct action *action)
+{
+    float *value = (float *)(void *)((char *)action + key->offset);
     double number = 0;
-    bool good = value_number(reader, coefficient, node, &number);
-    *setting = (float)number;
+    bool good, flag = false;
+    if (setting->type == KEY_POINT || setting->type == KEY_PATH) {
+        reader_problem(reader, node, "'%s' cannot be shaped; plant says where it grows from", setting->name);
+        return false;
+    }
+    if (setting->type == KEY_CHOICE && !(action->verb == ACTION_SHAPE && is_number(node))) {
+        struct names names = names_of_choices(setting->choices);
+        int choice = 0;
+        good = value_choice(reader, &names, "choice", node, &choice);
+        number = choice;
+    } else if (setting->type == KEY_FLAG && !is_number(node)) {
+        struct key own = {.name = "value", .type = KEY_FLAG};
+        good = value_read(reader, &own, node, &flag);
+        number = flag;
+    } else {
+        struct key own = *setting;
+        if (own.type == KEY_CHOICE || own.type == KEY_FLAG) {
+            own.max = own.type == KEY_FLAG ? 1 : names_of_choices(own.choices).count - 1;
+            own.type = KEY_INTEGER;
+        }
+        good = value_number(reader, &own, node, &number);
+    }
+    *value = (float)number;
     return good;
 }
 
@@ -172,8 +211,8 @@ static bool read_parameter(struct reader *reader, const struct key *key, const s
         *(strcmp(key->name, "structure") == 0 ? &parameters->structure : &parameters->picture) = node;
         return true;
     }
-    if (parameters->coefficient && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
-        return read_setting(reader, key, node, parameters->coefficient, action);
+    if (parameters->setting && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
+        return read_setting(reader, key, node, parameters->setting, action);
     }
     bool good = value_read(reader, key, node, object);
     if (key->type == KEY_POINT && strcmp(key->name, "at") == 0) {
@@ -216,12 +255,15 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     if (verb == ACTION_RINSE && at && path) {
         reader_problem(reader, node, "both at and a path; one of them");
     }
-    if (verb == ACTION_SET && parameters->coefficient) {
+    if (verb == ACTION_STOCK && !raster && !parameters->bound) {
+        reader_problem(reader, node, "no picture is given; the path of one in this file's folder");
+    }
+    if ((verb == ACTION_SET || verb == ACTION_SHAPE) && parameters->setting) {
         if (!yaml_get(node, "value")) {
-            missing(reader, node, "value", parameters->coefficient);
+            missing(reader, node, "value", parameters->setting);
         }
         if (raster && !yaml_get(node, "to")) {
-            missing(reader, node, "to", parameters->coefficient);
+            missing(reader, node, "to", parameters->setting);
         }
     }
 }
@@ -264,9 +306,11 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
         return;
     }
     struct parameters parameters = {.bound = bound};
-    const struct yaml_node *coefficient = action->verb == ACTION_SET ? yaml_get(node, "coefficient") : NULL;
-    if (coefficient && coefficient->kind == YAML_SCALAR) {
-        parameters.coefficient = key_find(coefficient_keys, coefficient->text);
+    const struct yaml_node *setting = action->verb == ACTION_SET     ? yaml_get(node, "coefficient")
+                                      : action->verb == ACTION_SHAPE ? yaml_get(node, "growth")
+                                                                     : NULL;
+    if (setting && setting->kind == YAML_SCALAR) {
+        parameters.setting = key_find(action->verb == ACTION_SET ? coefficient_keys : growth_keys, setting->text);
     }
     struct value_reading reading = {read_parameter, &parameters};
     mapping_read(reader, keys, node, action, &reading);

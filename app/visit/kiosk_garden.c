@@ -75,8 +75,7 @@ static bool post_stock(struct kiosk *kiosk, bool next)
         return false;
     }
     hud_show_picture(&kiosk->hud, &action.picture);
-    kiosk_post(kiosk, &action, 0);
-    return true;
+    return kiosk_post(kiosk, &action, 0);
 }
 
 void kiosk_lay_garden(struct kiosk *kiosk)

@@ -242,9 +242,9 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "scenes: [{id: wood, kind: trees, trees: {over: text.png}}, {id: dusk, kind: trees, trees: 3}]\n"),
      "s.yaml:2:48: scenes[0].trees.over: 'text.png' is broken; a PNG, JPEG, TIFF, EXR or WebP picture\n"
-     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, endpoints: 3000, ...}; see frond explain trees\n"
      "s.yaml:2:91: scenes[1].trees.over: no picture to grow over; a path, or pictures: FOLDER in this file's folder, "
-     "with one in it\n"},
+     "with one in it\n"
+     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, endpoints: 3000, ...}; see frond explain trees\n"},
     {"how trees grow",
      BYTES("exhibit: 1\n"
            "pictures: fine\n"
