@@ -60,7 +60,7 @@ static void touch(struct hall *hall, enum event_kind kind, int slot, float x, fl
 }
 
 /* A button of the palette. */
-static void press(struct hall *hall, enum hud_kind kind, int value)
+static void press(struct hall *hall, int kind, int value)
 {
     struct point at;
     hall_wait(hall, 3); /* it comes back */
