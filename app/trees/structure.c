@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,7 +66,7 @@ static struct image image_of(const struct script_picture *picture)
                           .alpha = picture->channels % 2 == 0 ? picture->channels - 1 : -1,
                           .values = picture->values};
     for (int c = 0; c < picture->channels; c++) {
-        strcpy(image.names[c], NAMES[picture->channels - 1][c]);
+        snprintf(image.names[c], sizeof image.names[c], "%s", NAMES[picture->channels - 1][c]);
     }
     return image;
 }

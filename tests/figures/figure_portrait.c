@@ -1,5 +1,6 @@
 /* A portrait that is painted by growing ink: a structure over a picture as first ink, mask, guide and wet ground. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,15 +19,15 @@ struct canvas {
 
 static void read_picture(struct script_picture *picture, struct canvas *canvas)
 {
-    char path[1300];
+    char folder[1200], path[1300];
     struct image image;
     struct file_error error;
     struct image_def def = image_default_def();
     def.helper = FIGURES_HELPER;
-    if (!stock_find(path, sizeof path - 32)) {
+    if (!stock_find(folder, sizeof folder)) {
         figure_stop("portrait", "the pictures that come with Frond are not built");
     }
-    strcat(path, "/portrait-girl.png");
+    snprintf(path, sizeof path, "%s/portrait-girl.png", folder);
     if (!image_read(path, &def, &image, &error)) {
         figure_stop("portrait", error.text);
     }
