@@ -207,15 +207,16 @@ static void show_painted(struct figure *figure, struct sheet *sheet, uint8_t *rg
         path[2 * i] = 75 * cosf(angle);
         path[2 * i + 1] = 20 - 60 * sinf(angle);
     }
-    struct laplacian_charge charges[3] = {{.shape = LAPLACIAN_STROKE, .charge = -30, .path = path, .path_count = 24},
-                                          {.shape = LAPLACIAN_POINT, .charge = 1500, .at = {-120, -120}},
-                                          {.shape = LAPLACIAN_POINT, .charge = 1500, .at = {120, -120}}};
+    struct laplacian_charge charges[4] = {{.shape = LAPLACIAN_STROKE, .charge = -60, .path = path, .path_count = 24},
+                                          {.shape = LAPLACIAN_POINT, .charge = 5000, .at = {-120, -120}},
+                                          {.shape = LAPLACIAN_POINT, .charge = 5000, .at = {120, -120}},
+                                          {.shape = LAPLACIAN_PLANE, .charge = -6000, .at = {0, 130}, .along = {0, 1}}};
     struct laplacian_seed seed = {{-120, 120}, {120, 120}};
     struct laplacian_def def = laplacian_default_def();
     def.particles = 9000;
     def.eta = 3;
     def.charges = charges;
-    def.charge_count = 3;
+    def.charge_count = 4;
     def.seeds = &seed;
     def.seed_count = 1;
     struct laplacian *laplacian = grow(&def);
@@ -274,7 +275,7 @@ static void show_space(struct figure *figure, struct sheet *sheet, uint8_t *rgb)
         if (which == 1) {
             def.environment = (struct action_raster){sky, 64, 32, 1};
             def.environment_radius = 160;
-            def.environment_strength = 0.05f;
+            def.environment_strength = 0.4f;
         }
         struct laplacian *laplacian = grow(&def);
         double mean = 0, below = 0;
