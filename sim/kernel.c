@@ -7,27 +7,9 @@
 #include <string.h>
 
 #include "exponential.h"
+#include "lanes.h"
 
-#if defined(__AVX512F__)
-#define KERNELS kernels_avx512
-#define LANES   16
-#elif defined(__AVX2__)
-#define KERNELS kernels_avx2
-#define LANES   8
-#else
-#define KERNELS kernels_narrow
-#define LANES   4
-#endif
-
-/* gcc vectorises a loop of known length inside another, clang a plain one. */
-#if defined(__clang__)
-#define FOR_CELLS(x, begin, end)                                                                                       \
-    _Pragma("clang loop vectorize(assume_safety) interleave(disable)") for (int x = (begin); x < (end); x++)
-#else
-#define FOR_CELLS(x, begin, end)                                                                                       \
-    for (int x##_block = (begin); x##_block < (end); x##_block += LANES)                                               \
-    _Pragma("GCC ivdep") for (int x = x##_block; x < x##_block + LANES; x++)
-#endif
+#define KERNELS LANES_NAME(kernels)
 
 /* Whether any of some floats is not zero, by their bits: an OR is cheaper than a size and a maximum. */
 static inline uint32_t bits_of(float value)

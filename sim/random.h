@@ -19,8 +19,10 @@ enum random_stream {
     RANDOM_RIM,   /* the edge of the time brush */
     RANDOM_WATER, /* where running water is early; the next stream: where it turns aside */
     RANDOM_WATER_TURN,
-    RANDOM_LATTICE, /* node weights of a lattice */
-    RANDOM_PLACE,   /* endpoints and jitter of trees */
+    RANDOM_LATTICE,   /* node weights of a lattice */
+    RANDOM_PLACE,     /* endpoints and jitter of trees */
+    RANDOM_SIMPLEX,   /* lattice of simplex noise */
+    RANDOM_CHEMISTRY, /* first spots and grains of Gray-Scott */
 };
 
 static inline uint32_t random_mix(uint32_t x)

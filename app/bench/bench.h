@@ -44,4 +44,7 @@ bool bench_trees(struct bench *bench);
  * limited aggregation. False when memory is short. */
 bool bench_growth(struct bench *bench);
 
+/* Gray-Scott. False when memory is short, or with the reason in meaning_text. */
+bool bench_chemistry(struct bench *bench);
+
 #endif

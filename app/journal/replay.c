@@ -84,12 +84,9 @@ static bool show(struct replaying *replaying, struct file_error *error)
         return false;
     }
     replaying->shown = player->ticked;
-    bool good = true;
-    if (def->frames) {
-        good = easel_write_frame(picture, player->engine, def->frames, player->ticked, error);
-    } else {
-        easel_draw(picture, player->engine);
-    }
+    struct easel_scene scene = {player->engine, player->plot, player->ticked};
+    bool good =
+        def->frames ? easel_write_frame(picture, &scene, def->frames, error) : easel_draw(picture, &scene, error);
     return good && (!replaying->video || video_put(replaying->video, picture->rgb, error));
 }
 
@@ -126,8 +123,8 @@ static bool write_end(struct replaying *replaying, struct file_error *error)
         return true;
     }
     easel_unframe(&replaying->moving);
-    bool good =
-        frame(replaying, &still, def->scale, 0, error) && easel_write(&still, player->engine, def->picture, error);
+    struct easel_scene scene = {player->engine, player->plot, player->ticked};
+    bool good = frame(replaying, &still, def->scale, 0, error) && easel_write(&still, &scene, def->picture, error);
     easel_unframe(&still);
     return good;
 }

@@ -104,7 +104,7 @@ static int write_text(const struct soak *soak, char *text, size_t size)
                     "%s"
                     "inputs:\n"
                     "  controllers: [{id: pad, vendor: '1209', name: little}]\n"
-                    "  gpio: {buttons: [{id: finish, line: FINISH}, {id: staff, line: STAFF}]}\n"
+                    "  gpio: {buttons: [{id: finish, line: FINISH}, {id: staff, line: STAFF}, {id: one, line: ONE}]}\n"
                     "  bindings:\n"
                     "    - {touch: press, drop: {}}\n"
                     "    - {touch: drag, brush_ink: {}}\n"
@@ -113,6 +113,8 @@ static int write_text(const struct soak *soak, char *text, size_t size)
                     "    - {usage: Button 3, controller: pad, next_scene: {}}\n"
                     "    - {button: finish, finish: {}}\n"
                     "    - {button: staff, staff: {}}\n"
+                    "    - {button: one, switch: {}}\n"
+                    "access: {scan: 3}\n"
                     "visit: {idle: 5, countdown: 3, thanks: 1, wash: 1, attract: 20, next_scene: 2, hide: 0.5}\n"
                     "schedule: [{open: '09:00', close: '21:00'}]\n"
                     "gallery: {folder: gallery, pictures: %d, megabytes: %d}\n",

@@ -164,12 +164,17 @@ static const struct {
     {TOOL_POUR, 1, 1, {ACTION_POUR}, {ACTION_POUR}},
     {TOOL_MASK, 1, 1, {ACTION_MASK}, {ACTION_MASK}},
     {TOOL_REWIND, 1, 1, {ACTION_REWIND}, {ACTION_REWIND}},
+    {TOOL_PLANT, 1, 1, {ACTION_PLANT}, {ACTION_HOLD}},
+    {TOOL_TEND, 1, 1, {ACTION_TEND}, {ACTION_TEND}},
+    {TOOL_THIN, 1, 1, {ACTION_TEND}, {ACTION_TEND}},
 };
 
 static void assert_tools(struct place *place)
 {
+    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
     assert_int_equal(sizeof TOOLS_DO / sizeof *TOOLS_DO, TOOLS);
     for (size_t i = 0; i < TOOLS; i++) {
+        controls_growth(place->controls, tool_fits((int)TOOLS_DO[i].tool, SCENE_TREES) ? &ink : NULL);
         controls_set_tool(place->controls, 0, TOOLS_DO[i].tool);
         assert_int_equal(controls_tool(place->controls, 0), TOOLS_DO[i].tool);
         finger(place, EVENT_DOWN, 0, 0.5f, 0.5f);
@@ -183,15 +188,20 @@ static void assert_tools(struct place *place)
         finger(place, EVENT_MOVE, 0, 0.7f, 0.5f);
         wait_ms(place, 10);
         for (int k = 0; k < TOOLS_DO[i].drag; k++) {
-            assert_true(take(place) && place->action.visitor == 1);
+            bool hand = TOOLS_DO[i].dragged[k] == ACTION_HOLD;
+            assert_true(take(place) && place->action.visitor == (hand ? CONTROLS_HANDS : 1));
             assert_int_equal(place->action.verb, TOOLS_DO[i].dragged[k]);
-            bool along = place->action.verb != ACTION_POUR;
+            bool along = place->action.verb != ACTION_POUR && !hand;
             struct point end = along ? place->action.path.points[place->action.path.count - 1] : place->action.at;
             assert_near(end.x, 0.7, 1e-6);
             assert_int_equal(place->action.path.count, along ? 3 : 0);
         }
         assert_false(take(place));
         finger(place, EVENT_UP, 0, 0.7f, 0.5f);
+        if (TOOLS_DO[i].tool == TOOL_PLANT) { /* the hand is lifted */
+            assert_true(take(place) && place->action.verb == ACTION_HOLD && !place->action.has_at);
+        }
+        assert_false(take(place));
     }
 }
 
@@ -349,7 +359,9 @@ static void what_is_no_action_is_a_wish(void **state)
                  {"staff", WISH_STAFF},
                  {"next_tool", WISH_NEXT_TOOL},
                  {"next_scene", WISH_NEXT_SCENE},
-                 {"next_language", WISH_NEXT_LANGUAGE}};
+                 {"next_language", WISH_NEXT_LANGUAGE},
+                 {"next_picture", WISH_NEXT_PICTURE},
+                 {"next_metaphor", WISH_NEXT_METAPHOR}};
     assert_int_equal(sizeof KINDS / sizeof *KINDS + 1, WISHES);
     for (size_t i = 0; i < sizeof KINDS / sizeof *KINDS; i++) {
         char text[400];

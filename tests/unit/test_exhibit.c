@@ -148,6 +148,44 @@ static void scenes_have_inks_coefficients_and_a_ground(void **state)
     exhibit_destroy(exhibit);
 }
 
+/* What they lay on a fresh sheet, in order; the raster is that of the sheet, dark on the branches. */
+static void structures_become_ground(void **state)
+{
+    (void)state;
+    struct exhibit *exhibit = exhibit_case_good("exhibit: 1\n"
+                                                "sheet: {cells: 16384}\n"
+                                                "scenes:\n"
+                                                "  - id: face\n"
+                                                "    painting: {s_max: 0.2}\n"
+                                                "    structures:\n"
+                                                "      - {over: good.png, detail: 64, endpoints: 30}\n"
+                                                "      - {over: good.png, detail: 64, as: mask, width: 3}\n"
+                                                "      - {over: good.png, detail: 64, as: ink, strength: 0.5}\n"
+                                                "      - {over: good.png, as: relief, metaphor: frost}\n");
+    const struct exhibit_scene *scene = exhibit->scenes;
+    assert_int_equal(scene->ground_count, 4);
+    static const enum action_verb VERBS[] = {ACTION_GUIDE, ACTION_MASK, ACTION_DRAW, ACTION_SET};
+    for (int i = 0; i < 4; i++) {
+        const struct action *action = &scene->ground[i];
+        assert_int_equal(action->verb, VERBS[i]);
+        assert_int_equal(action->picture.channels, i == 0 ? 2 : 1);
+        assert_int_equal(action->picture.width, scene->script->width);
+        int dark = 0, cells = action->picture.width * action->picture.height;
+        for (int k = 0; k < cells; k++) {
+            dark += action->picture.values[k] < 0.5f;
+        }
+        assert_true(i == 0 || (dark > 20 && dark < cells));
+    }
+    assert_near(scene->ground[0].strength, 0.7, 1e-6);
+    assert_true(scene->ground[1].invert);
+    assert_near(scene->ground[2].amount, 0.5, 1e-6);
+    assert_int_equal(scene->ground[2].over, OVER_RUN);
+    assert_string_equal(coefficient_keys[scene->ground[3].coefficient].name, "s_max");
+    assert_near(scene->ground[3].value, 0.2, 1e-6);
+    assert_near(scene->ground[3].to, 0.06, 1e-6);
+    exhibit_destroy(exhibit);
+}
+
 static void files_are_found_beside_it(void **state)
 {
     (void)state;
@@ -366,7 +404,7 @@ static void every_row_is_whole(void **state)
             assert_true(section || (key->type == KEY_CHOICE) == (key->choices != NULL));
         }
     }
-    assert_int_equal(tables, 14);
+    assert_int_equal(tables, 15);
 }
 
 static int make_folder(void **state)
@@ -385,6 +423,7 @@ static int remove_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(structures_become_ground),
         cmocka_unit_test(a_version_alone_is_an_exhibit),
         cmocka_unit_test(screen_sheet_and_times_are_read),
         cmocka_unit_test(scenes_have_inks_coefficients_and_a_ground),
