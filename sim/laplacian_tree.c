@@ -125,7 +125,7 @@ static void add_moments(float *child, int fan, int dimensions, const float *at)
         *centre += before[d] / charge;
         after[d] = at[d] - *centre;
     }
-    float *moment = child + (1 + dimensions) * fan;
+    float *moment = child + (size_t)(1 + dimensions) * (size_t)fan;
     for (int a = 0; a < dimensions; a++) {
         for (int b = a; b < dimensions; b++, moment += fan) {
             *moment += before[a] * after[b];
@@ -146,11 +146,13 @@ static bool insert_below(struct laplacian_tree *tree, int32_t branch, int level,
 static int32_t split(struct laplacian_tree *tree, int32_t leaf, int level)
 {
     int32_t branch = new_branch(tree);
-    float moved[3 * LAPLACIAN_LEAF], *place = laplacian_tree_leaf(tree, leaf);
+    float moved[3 * LAPLACIAN_LEAF] = {0}, *place = laplacian_tree_leaf(tree, leaf);
     if (branch < 0) {
         return -1;
     }
-    memcpy(moved, place, (size_t)tree->dimensions * LAPLACIAN_LEAF * sizeof *moved);
+    for (int i = 0; i < tree->dimensions * LAPLACIAN_LEAF; i++) {
+        moved[i] = place[i];
+    }
     memset(place, 0, (size_t)tree->dimensions * LAPLACIAN_LEAF * sizeof *moved);
     memcpy(place, &tree->free_leaf, sizeof tree->free_leaf);
     tree->free_leaf = leaf;

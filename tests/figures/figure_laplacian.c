@@ -122,7 +122,7 @@ static void shade(const struct laplacian *laplacian, const struct look *look, co
             for (int end = 0; end < 2 && good; end++) {
                 int at = end ? i : parent;
                 good = strokes_point(&strokes, (seen[at][0] - view.x) * view.scale + SHOWN / 2,
-                                     (seen[at][1] - view.y) * view.scale + SHOWN / 2, radius);
+                                     (seen[at][1] - view.y) * view.scale + SHOWN / 2, radius, 0);
             }
         }
         if (!good) {
