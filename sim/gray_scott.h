@@ -62,8 +62,8 @@ void gray_scott_destroy(struct gray_scott *chemistry); /* takes NULL */
 /* Other parameters from now on, made legal. False when memory for maps is short: the old ones stay. */
 bool gray_scott_set(struct gray_scott *chemistry, const struct gray_scott_def *def);
 const struct gray_scott_def *gray_scott_get(const struct gray_scott *chemistry);
-/* The style map: brightness 0..1 over the sheet, one channel, copied; without values: none. False when memory is short.
- */
+/* The style map: brightness 0..1 over the sheet, copied; without values: none. With two channels the second is that of
+ * the kill rate. False when memory is short. */
 bool gray_scott_style(struct gray_scott *chemistry, const struct action_raster *brightness);
 /* Orientation of anisotropy: a vector field over the sheet, copied (a vector and its opposite are the same; none: no
  * anisotropy there); without values: the angle of the parameters. False when memory is short. */
@@ -103,6 +103,8 @@ struct rectangle gray_scott_stroke_area(const struct gray_scott *chemistry, cons
                                         float radius);
 /* First states, over what is there: `count` discs at random places; grains at random, a share of the cells each painted
  * half and more; a mask, painted where it is light (or dark), as text and pictures give it. */
+/* Where the spot of that number falls, 0..1 of the sheet. */
+struct point gray_scott_seed_place(int number, uint32_t seed);
 void gray_scott_seed_spots(struct gray_scott *chemistry, int count, float radius, uint32_t seed);
 void gray_scott_seed_noise(struct gray_scott *chemistry, float share, uint32_t seed);
 void gray_scott_seed_mask(struct gray_scott *chemistry, const struct action_raster *mask, bool dark);

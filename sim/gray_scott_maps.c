@@ -118,20 +118,23 @@ float chemistry_sample(const struct action_raster *raster, int channel, float x,
     return above + fy * (below - above);
 }
 
-static bool copy_raster(struct gray_scott *chemistry, const struct action_raster *raster, int channels, float **copy)
+/* Two channels of the sheet's size; the second is the first again where there is no other. */
+static bool copy_raster(struct gray_scott *chemistry, const struct action_raster *raster, int least, float **copy)
 {
+    enum { CHANNELS = 2 };
     float *values = NULL;
-    if (raster && raster->values && raster->channels >= channels) {
+    if (raster && raster->values && raster->channels >= least) {
         size_t cells = (size_t)chemistry->width * (size_t)chemistry->height;
-        values = malloc(cells * (size_t)channels * sizeof *values);
+        values = malloc(cells * CHANNELS * sizeof *values);
         if (!values) {
             return false;
         }
         float *next = values;
-        for (int channel = 0; channel < channels; channel++) {
+        for (int channel = 0; channel < CHANNELS; channel++) {
             for (int y = 0; y < chemistry->height; y++) {
                 for (int x = 0; x < chemistry->width; x++) {
-                    *next++ = chemistry_sample(raster, channel, ((float)x + 0.5f) / (float)chemistry->width,
+                    *next++ = chemistry_sample(raster, channel < raster->channels ? channel : 0,
+                                               ((float)x + 0.5f) / (float)chemistry->width,
                                                ((float)y + 0.5f) / (float)chemistry->height);
                 }
             }
@@ -222,13 +225,14 @@ static void clamp_row(float *row, int count, float most)
 
 /* base + noise + style, within 0..most. */
 static void rate_row(const struct gray_scott *chemistry, int y, float base, float noise_amount,
-                     enum chemistry_noise noise, float style_amount, float most, float *row)
+                     enum chemistry_noise noise, float style_amount, int style_channel, float most, float *row)
 {
     int width = chemistry->width;
     if (noise_amount != 0) {
         noise_row(chemistry, noise, y, row);
     }
-    const float *style = chemistry->style && style_amount != 0 ? chemistry->style + (size_t)y * (size_t)width : NULL;
+    size_t first = ((size_t)style_channel * (size_t)chemistry->height + (size_t)y) * (size_t)width;
+    const float *style = chemistry->style && style_amount != 0 ? chemistry->style + first : NULL;
     for (int x = 0; x < width; x++) {
         float value = noise_amount != 0 ? base + noise_amount * row[x] : base;
         row[x] = style ? value + style_amount * style[x] : value;
@@ -242,8 +246,8 @@ static void feed_and_loss(struct gray_scott *chemistry, int y)
     float dt = gray_scott_time_step(def);
     float *feed = plane_row(chemistry, chemistry->maps[MAP_FEED], y);
     float *loss = plane_row(chemistry, chemistry->maps[MAP_LOSS], y);
-    rate_row(chemistry, y, def->feed, def->noise_feed, NOISE_OF_FEED, def->style_feed, FEED_MOST, feed);
-    rate_row(chemistry, y, def->kill, def->noise_kill, NOISE_OF_KILL, def->style_kill, KILL_MOST, loss);
+    rate_row(chemistry, y, def->feed, def->noise_feed, NOISE_OF_FEED, def->style_feed, 0, FEED_MOST, feed);
+    rate_row(chemistry, y, def->kill, def->noise_kill, NOISE_OF_KILL, def->style_kill, 1, KILL_MOST, loss);
     for (int x = 0; x < chemistry->width; x++) {
         loss[x] = dt * (feed[x] + loss[x]);
         feed[x] = dt * feed[x];
@@ -287,7 +291,7 @@ bool chemistry_make_maps(struct gray_scott *chemistry)
         }
         if (whole && chemistry->maps_at < 0) {
             turns(chemistry, y);
-            rate_row(chemistry, y, 1, 0, 0, 0, 1, plane_row(chemistry, chemistry->maps[MAP_RATE], y));
+            rate_row(chemistry, y, 1, 0, 0, 0, 0, 1, plane_row(chemistry, chemistry->maps[MAP_RATE], y));
             if (chemistry->style) {
                 float *rate = plane_row(chemistry, chemistry->maps[MAP_RATE], y);
                 for (int x = 0; x < chemistry->width; x++) {

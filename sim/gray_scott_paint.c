@@ -141,10 +141,16 @@ void gray_scott_stroke(struct gray_scott *chemistry, const struct action_path *p
     }
 }
 
+struct point gray_scott_seed_place(int number, uint32_t seed)
+{
+    return (struct point){random_unit(number, 0, seed, RANDOM_CHEMISTRY),
+                          random_unit(number, 1, seed, RANDOM_CHEMISTRY)};
+}
+
 void gray_scott_seed_spots(struct gray_scott *chemistry, int count, float radius, uint32_t seed)
 {
     for (int i = 0; i < count; i++) {
-        struct point at = {random_unit(i, 0, seed, RANDOM_CHEMISTRY), random_unit(i, 1, seed, RANDOM_CHEMISTRY)};
+        struct point at = gray_scott_seed_place(i, seed);
         const struct action_path path = {&at, 1};
         gray_scott_stroke(chemistry, &path, radius, CHEMISTRY_PAINT, 1);
     }

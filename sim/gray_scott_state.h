@@ -27,7 +27,8 @@ struct gray_scott {
     int64_t maps_at;                  /* the step whose maps they are; -1: to be made */
     float *u[2], *v[2];               /* whole planes; a cell is at plane_at */
     float *maps[CHEMISTRY_MAPS];      /* laid out as planes; NULL until wanted */
-    float *style, *field;             /* width * height brightness; twice that of vectors; NULL: none */
+    float *style, *field;             /* width * height brightness of feed (and rates), then of kill; twice that of
+                                    vectors; NULL: none */
     float *lattice[CHEMISTRY_NOISES]; /* lattice_width * lattice_height; NULL until wanted */
     int lattice_width, lattice_height;
     float *rings; /* of each member of the team */

@@ -91,10 +91,11 @@ static void feel_switch(struct controls *controls, struct contact *contact, bool
 }
 
 /* What it is pressed for is a hand that lies there until it is let go; those of fingers are in controls_hold.c. */
-static bool holds(const struct binding *binding, const struct contact *contact)
+static bool holds(const struct controls *controls, const struct contact *contact)
 {
-    return binding->what == DO_VERB && binding->action.verb == ACTION_HOLD && contact->finger == NOBODY &&
-           contact->press.down;
+    const struct binding *binding = controls_binding(controls, contact->binding);
+    return controls->trees && binding->what == DO_VERB && binding->action.verb == ACTION_HOLD &&
+           contact->finger == NOBODY && contact->press.down;
 }
 
 static void feel(struct controls *controls, struct contact *contact, bool down, uint64_t time_us)
@@ -109,7 +110,7 @@ static void feel(struct controls *controls, struct contact *contact, bool down, 
         }
         if (fires) {
             controls_fire(controls, contact->binding, &cause);
-            contact->holds = down && holds(binding, contact);
+            contact->holds = down && holds(controls, contact);
         }
     }
     if (!down && contact->holds) {
@@ -226,7 +227,7 @@ void controls_run_presses(struct controls *controls, uint64_t now_us)
         if (press_run(&contact->press, &def, now_us)) {
             struct cause cause = cause_of(controls, contact, now_us);
             controls_fire(controls, contact->binding, &cause);
-            contact->holds = holds(controls_binding(controls, contact->binding), contact);
+            contact->holds = holds(controls, contact);
         }
         draw(controls, contact);
         contact->used = !press_is_idle(&contact->press);

@@ -18,7 +18,7 @@ static struct engine *make_cpu(void *data, const struct painting_def *def, struc
 
 struct player_maker player_cpu(const int *threads)
 {
-    return (struct player_maker){make_cpu, (void *)(uintptr_t)threads};
+    return (struct player_maker){.make = make_cpu, .data = (void *)(uintptr_t)threads};
 }
 
 static struct engine *make(struct player *player, const struct painting_def *def, struct file_error *error)
@@ -53,7 +53,7 @@ static bool measure(struct player *player, const void *data, size_t size, struct
     while (journal_next(&reader, &record)) {
         bool action = record.kind == JOURNAL_ACTION;
         player->goes_back = player->goes_back || (action && goes_back(record.action.verb));
-        player->grows = player->grows || (action && garden_takes(record.action.verb));
+        player->grows = player->grows || (action && player->maker.grows && garden_takes(record.action.verb));
     }
     player->last = reader.ticked;
     journal_close(&reader);
@@ -79,12 +79,13 @@ static bool fit_plot(struct player *player, const struct painting_def *def, bool
     if (!player->grows) {
         return true;
     }
+    bool good = true;
     if (player->plot) {
-        plot_sheet(player->plot, player->next.ticked, def->width, def->height, fresh);
+        good = plot_sheet(player->plot, def->width, def->height, fresh);
     } else {
         player->plot = plot_create(def->width, def->height);
     }
-    return player->plot || file_fail(error, NAME, "memory is short for what grows over it");
+    return (player->plot && good) || file_fail(error, NAME, "memory is short for what grows over it");
 }
 
 static bool take_sheet(struct player *player, const struct journal_sheet *sheet, struct file_error *error)
@@ -209,33 +210,6 @@ static bool grow(struct player *player, struct file_error *error)
     return !player->plot || plot_tick(player->plot) || file_fail(error, NAME, "memory is short for what grows over it");
 }
 
-/* Does to the plot what happened before the checkpoint. */
-static bool take_before(struct player *player, struct file_error *error)
-{
-    const struct journal_record *record = &player->next;
-    struct painting_def grid = player->sheet.def;
-    switch (record->kind) {
-    case JOURNAL_SHEET:
-    case JOURNAL_SCENE:
-        return fit_plot(player, &record->sheet.def, record->kind == JOURNAL_SHEET, error);
-    case JOURNAL_GRID:
-        grid.width = record->grid.width;
-        grid.height = record->grid.height;
-        return fit_plot(player, &grid, false, error);
-    case JOURNAL_ACTION:
-        if (player->plot) {
-            if (record->ticked > player->ticked && !grow(player, error)) {
-                return false;
-            }
-            plot_act(player->plot, record->ticked, &record->action);
-            player->ticked = record->ticked;
-        }
-        return true;
-    default:
-        return true;
-    }
-}
-
 bool player_resume(struct player *player, const void *data, size_t size, const struct player_place *place,
                    const struct player_maker *maker, struct file_error *error)
 {
@@ -246,13 +220,11 @@ bool player_resume(struct player *player, const void *data, size_t size, const s
         if (player->next.kind == JOURNAL_SHEET || player->next.kind == JOURNAL_SCENE) {
             player->sheet = player->next.sheet;
         }
-        if (!take_before(player, error)) {
-            return false;
-        }
         read_next(player);
     }
     player->ticked = place->ticked;
     player->resumed = true;
+    player->grows = false;
     player->engine = make(player, &place->checkpoint->def, error);
     if (!player->engine) {
         return false;

@@ -20,6 +20,7 @@ struct player_maker {
     /* An engine for this painting, the player's from then on; NULL with the reason in `error`. */
     struct engine *(*make)(void *data, const struct painting_def *def, struct file_error *error);
     void *data;
+    bool grows; /* what grows over the painting is grown, too (plot.h); takes long */
 };
 /* CPU engines with this many threads, 0: one for each processor. */
 struct player_maker player_cpu(const int *threads);
@@ -49,8 +50,7 @@ bool player_open(struct player *player, const void *data, size_t size, const str
  * when it failed, with the reason in `error` (else ""). */
 bool player_tick(struct player *player, struct file_error *error);
 /* Takes up a painting in the middle of its journal instead, to do what came after. What undo, redo and rewind would go
- * back to is not there: player_tick ends before the first of them, which is `next` then. What grows over it is as it
- * was: all that was done before is done to the plot alone. */
+ * back to is not there: player_tick ends before the first of them, which is `next` then. Nothing grows over it. */
 struct player_place {
     const struct checkpoint *checkpoint;
     int64_t ticked;   /* when it was taken */

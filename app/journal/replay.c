@@ -164,7 +164,7 @@ bool replay(const struct replay_def *def, struct progress *progress, struct repl
     if (!check(def, error) || !journal_file_read(def->journal, JOURNAL_FILE_MOST, &bytes, error)) {
         return false;
     }
-    struct player_maker maker = {easel_make, &replaying.easel};
+    struct player_maker maker = {easel_make, &replaying.easel, true};
     bool good = player_open(&replaying.player, bytes.data, bytes.size, &maker, error) &&
                 play(&replaying, progress, error) && write_end(&replaying, error);
     struct file_error ignored;

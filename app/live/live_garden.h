@@ -29,20 +29,20 @@ struct live_garden;
 /* NULL when memory is short or there is no thread to be had. */
 struct live_garden *live_garden_create(void);
 /* After the studio. Waits for a plan that is being made. Takes NULL. */
-void live_garden_destroy(struct live_garden *garden);
+void live_garden_destroy(struct live_garden *live);
 
 /* From the moment on that the studio paints this script (only compared), there is a garden (garden_default_def), or
  * none. The last four that were told are known; others have none. A fresh sheet has an empty garden, on which
  * ACTION_STOCK and ACTION_SHAPE come; under another script with a garden what has grown stays. */
-void live_garden_scene(struct live_garden *garden, const struct script *script, bool has);
+void live_garden_scene(struct live_garden *live, const struct script *script, bool has);
 /* For struct studio_teller, in the studio's thread; `data` is the garden. Quick. */
 void live_garden_tell(void *data, const struct studio_event *event);
 /* Before the studio begins: the garden as the journal of a sheet leaves it, with what was done since the sheet was
  * fresh or had another scene. False: there is no journal, or it cannot be read; the garden is empty then. */
-bool live_garden_resume(struct live_garden *garden, const struct script *script, const void *journal, size_t size);
+bool live_garden_resume(struct live_garden *live, const struct script *script, const void *journal, size_t size);
 
 /* Pixels of the plates from now on; 0: none is painted. */
-void live_garden_size(struct live_garden *garden, int width, int height);
+void live_garden_size(struct live_garden *live, int width, int height);
 
 struct live_garden_plate {
     struct plate plate;
@@ -52,11 +52,11 @@ struct live_garden_plate {
     uint64_t sequence; /* of what was done before it was planned */
 };
 /* The newest plate; it stays as it is until the next call. `fresh`: it is another than the last time. */
-const struct live_garden_plate *live_garden_newest(struct live_garden *garden, bool *fresh);
+const struct live_garden_plate *live_garden_newest(struct live_garden *live, bool *fresh);
 /* Whether another one is there. */
-bool live_garden_has_newer(struct live_garden *garden);
+bool live_garden_has_newer(struct live_garden *live);
 /* Whether all that was told has been planned. */
-bool live_garden_is_calm(struct live_garden *garden);
+bool live_garden_is_calm(struct live_garden *live);
 
 struct live_garden_sheet {
     bool on;                     /* the scene has a garden */
@@ -68,8 +68,8 @@ struct live_garden_sheet {
     double grow_ms, paint_ms;    /* what the newest plate took */
     int plans;                   /* made so far */
 };
-struct live_garden_sheet live_garden_sheet(struct live_garden *garden, double now_s);
+struct live_garden_sheet live_garden_sheet(struct live_garden *live, double now_s);
 /* Where the water has come: LIVE_WATER_HEIGHT rows of LIVE_WATER_WIDTH values, 0 dry .. 255 gone, over the sheet. */
-void live_garden_water(struct live_garden *garden, uint8_t water[LIVE_WATER_WIDTH * LIVE_WATER_HEIGHT]);
+void live_garden_water(struct live_garden *live, uint8_t water[LIVE_WATER_WIDTH * LIVE_WATER_HEIGHT]);
 
 #endif

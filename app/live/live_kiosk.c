@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "bench.h"
+#include "pictures.h"
 #include "script_sheet.h"
 
 static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are left to others */
@@ -203,7 +204,9 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
     }
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
     live_slides_open(&kiosk->slides);
-    kiosk->pictures = live_pictures_create(kiosk_shows(kiosk->kiosk), kiosk_scene(kiosk->kiosk));
+    struct script_def pictures = script_default_def();
+    pictures.load = pictures_load;
+    kiosk->pictures = live_pictures_create(kiosk_shows(kiosk->kiosk), kiosk_scene(kiosk->kiosk), &pictures);
     live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
     kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "pictures.h"
 #include "raster.h"
 
 enum {
@@ -24,6 +23,7 @@ struct read {
 struct live_pictures {
     struct exhibit_pictures list;
     char *folder;
+    struct script_def def;
     char *wanted; /* the scene's own picture, until it is read; NULL: the next of the list */
     char *shown;  /* the path of what is grown over; NULL: nothing is yet */
     int next;
@@ -66,7 +66,8 @@ static void *read_picture(void *context)
     struct script_picture picture = {0};
     struct read *read = &pictures->read;
     *read = (struct read){.field = NULL};
-    if (pictures_load(NULL, pictures->folder, pictures->path, &picture, pictures->error, sizeof pictures->error)) {
+    if (pictures->def.load(pictures->def.data, pictures->folder, pictures->path, &picture, pictures->error,
+                           sizeof pictures->error)) {
         int longer = picture.width > picture.height ? picture.width : picture.height;
         double scale = longer > STOCK_MOST ? (double)STOCK_MOST / longer : 1;
         read->width = picture.width * scale >= 1 ? (int)(picture.width * scale) : 1;
@@ -137,10 +138,12 @@ static void abandon(struct live_pictures *pictures)
     }
 }
 
-struct live_pictures *live_pictures_create(const struct exhibit *exhibit, const struct exhibit_scene *scene)
+struct live_pictures *live_pictures_create(const struct exhibit *exhibit, const struct exhibit_scene *scene,
+                                           const struct script_def *def)
 {
     struct live_pictures *pictures = calloc(1, sizeof *pictures);
     if (pictures) {
+        pictures->def = *def;
         live_pictures_set(pictures, exhibit, scene);
     }
     return pictures;

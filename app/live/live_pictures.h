@@ -13,8 +13,9 @@ enum { LIVE_PICTURES_KEPT = 4 }; /* fields, and pictures, that stay good */
 
 struct live_pictures;
 
-/* NULL when memory is short. */
-struct live_pictures *live_pictures_create(const struct exhibit *exhibit, const struct exhibit_scene *scene);
+/* `def` loads pictures, as for scripts, in that thread. NULL when memory is short. */
+struct live_pictures *live_pictures_create(const struct exhibit *exhibit, const struct exhibit_scene *scene,
+                                           const struct script_def *def);
 /* Waits for what is being read. Takes NULL. */
 void live_pictures_destroy(struct live_pictures *pictures);
 /* Another exhibit, or the same folder with other pictures in it; what was given out stays good. */

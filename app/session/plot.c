@@ -19,14 +19,19 @@ bool plot_wanted(const struct script *script)
     return wanted;
 }
 
-struct plot *plot_create(int width, int height)
+static struct garden *make_garden(int width, int height)
 {
-    struct plot *plot = calloc(1, sizeof *plot);
     struct garden_def def = garden_default_def();
     def.width = width;
     def.height = height;
+    return garden_create(&def);
+}
+
+struct plot *plot_create(int width, int height)
+{
+    struct plot *plot = calloc(1, sizeof *plot);
     if (plot) {
-        plot->garden = garden_create(&def);
+        plot->garden = make_garden(width, height);
     }
     if (plot && !plot->garden) {
         free(plot);
@@ -49,13 +54,19 @@ void plot_act(struct plot *plot, int64_t ticked, const struct action *action)
     garden_act(plot->garden, ticked, action);
 }
 
-void plot_sheet(struct plot *plot, int64_t ticked, int width, int height, bool fresh)
+bool plot_sheet(struct plot *plot, int width, int height, bool fresh)
 {
-    if (fresh) {
-        struct action clear = action_default(ACTION_CLEAR);
-        garden_act(plot->garden, ticked, &clear);
+    struct garden *garden = fresh ? make_garden(width, height) : plot->garden;
+    if (!garden) {
+        return false;
     }
-    garden_resize(plot->garden, width, height);
+    if (fresh) {
+        garden_destroy(plot->garden);
+        plot->garden = garden;
+        plot->painted = false;
+    }
+    garden_resize(garden, width, height);
+    return true;
 }
 
 bool plot_tick(struct plot *plot)

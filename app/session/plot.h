@@ -22,8 +22,8 @@ bool plot_wanted(const struct script *script);
 struct plot *plot_create(int width, int height);
 void plot_destroy(struct plot *plot); /* takes NULL */
 void plot_act(struct plot *plot, int64_t ticked, const struct action *action);
-/* A fresh sheet (picture, and how it grows, stay), or the same on another grid. */
-void plot_sheet(struct plot *plot, int64_t ticked, int width, int height, bool fresh);
+/* A fresh sheet, on which nothing is and no picture lies; or the same on another grid. False when memory is short. */
+bool plot_sheet(struct plot *plot, int width, int height, bool fresh);
 /* Grows what the actions of a tick have asked for: always after each, so that a journal repeats it to the bit. False
  * when memory is short. */
 bool plot_tick(struct plot *plot);

@@ -52,11 +52,13 @@ void figure_dendrites(struct figure *figure); /* figure_trees.c */
 void figure_metaphors(struct figure *figure);
 void figure_trees(struct figure *figure);
 void figure_composites(struct figure *figure);
-void figure_laplacian(struct figure *figure);   /* figure_laplacian.c */
 void figure_garden(struct figure *figure);      /* figure_garden.c */
 void figure_photographs(struct figure *figure); /* figure_photographs.c */
 void figure_hidden(struct figure *figure);
-void figure_portrait(struct figure *figure); /* figure_portrait.c */
+void figure_portrait(struct figure *figure);  /* figure_portrait.c */
+void figure_laplacian(struct figure *figure); /* figure_laplacian.c */
+void figure_chemistry(struct figure *figure); /* figure_chemistry.c */
+void figure_classes(struct figure *figure);
 
 /* Prints "ok" or "FAIL", the name of the group and the text; counts. Returns `holds`. */
 bool figure_check(struct figure *figure, bool holds, const char *text, ...) __attribute__((format(printf, 3, 4)));

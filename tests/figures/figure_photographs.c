@@ -281,13 +281,12 @@ void figure_photographs(struct figure *figure)
 }
 
 static void show_tree(struct figure *figure, struct sheet *sheet, struct sitter *sitter, const struct growth_def *def,
-                      const char *label, double least)
+                      const char *label, const struct rectangle *face)
 {
-    static const struct rectangle FACE = {140, 400, 90, 400};
     struct growth *growth = sitter_grow(sitter, def);
     sitter_check_sound(figure, growth, label);
-    if (least > 0) {
-        sitter_check_seen(figure, sitter, growth, label, least, FACE);
+    if (face) {
+        sitter_check_seen(figure, sitter, growth, label, 0.25, *face);
     }
     show(sheet, sitter, growth, label);
     growth_destroy(growth);
@@ -295,6 +294,7 @@ static void show_tree(struct figure *figure, struct sheet *sheet, struct sitter 
 
 void figure_hidden(struct figure *figure)
 {
+    static const struct rectangle HERS = {140, 400, 90, 400}, FROWN = {110, 350, 185, 375}; /* the faces alone */
     if (!photographs_are_there()) {
         figure->skipped = true;
         return;
@@ -307,21 +307,25 @@ void figure_hidden(struct figure *figure)
     def.side = SIDE_ALL;
     def.layers = 1;
     def.iterations = 2;
-    show_tree(figure, sheet, face, &def, "figure 12: two iterations", 0);
+    show_tree(figure, sheet, face, &def, "figure 12: two iterations", NULL);
     def.iterations = 3;
-    show_tree(figure, sheet, face, &def, "figure 12: three", 0);
+    show_tree(figure, sheet, face, &def, "figure 12: three", NULL);
     def.layers = 2;
-    show_tree(figure, sheet, face, &def, "figure 13: two layers", 0);
+    show_tree(figure, sheet, face, &def, "figure 13: two layers", NULL);
     def = growth_preset(METAPHOR_INK, true);
     def.side = SIDE_NONE; /* all of the crown is her face; the paper leaves the left half free */
     def.radius = 0.4f;
-    def.spacing = 14;
-    show_tree(figure, sheet, face, &def, "figure 15: mixed", 0.3);
+    def.spacing = 10;
+    def.primary = 3;
+    def.branch = 3;
+    def.mix = 0.7f;
+    def.fork = (struct point){0.49f, 0.62f};
+    show_tree(figure, sheet, face, &def, "figure 15: mixed", &HERS);
     def.mix = 0.9f;
-    show_tree(figure, sheet, face, &def, "figure 15: by importance", 0.3);
-    show_tree(figure, sheet, admiral, &def, "figure 16: by importance", 0.3);
+    show_tree(figure, sheet, face, &def, "figure 15: by importance", &HERS);
+    show_tree(figure, sheet, admiral, &def, "figure 16: by importance", &FROWN);
     def.mix = 0;
-    show_tree(figure, sheet, admiral, &def, "figure 16: by branch", 0.25);
+    show_tree(figure, sheet, admiral, &def, "figure 16: by branch", &FROWN);
     sheet_finish(sheet);
     free(face);
     free(admiral);

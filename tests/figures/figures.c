@@ -42,11 +42,13 @@ static const struct figure_group GROUPS[] = {
     {"metaphors", "ink, vine, lightning, winter, frost, cracks", figure_metaphors},
     {"trees", "trees, and pictures in trees", figure_trees},
     {"composites", "trees in landscapes", figure_composites},
-    {"laplacian", "bolts, coral, attractors, masks, light", figure_laplacian},
     {"garden", "a picture grows live, from seeds, round hands", figure_garden},
     {"photographs", "dendrites from real photographs", figure_photographs},
     {"hidden", "real photographs in trees", figure_hidden},
     {"portrait", "a portrait as growing ink", figure_portrait},
+    {"laplacian", "bolts, coral, attractors, masks, light", figure_laplacian},
+    {"chemistry", "Gray-Scott: the figures of the article", figure_chemistry},
+    {"classes", "Gray-Scott: Pearson's classes and the map of feed and kill", figure_classes},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
 enum { GROUP_COUNT = sizeof GROUPS / sizeof GROUPS[0] };

@@ -341,6 +341,43 @@ static void a_text_tells_what_it_is(void **state)
     assert_false(exhibit_is("", 0));
 }
 
+static void scenes_of_trees_grow_as_their_metaphor_does_and_as_is_given(void **state)
+{
+    (void)state;
+    struct exhibit *exhibit = exhibit_case_good(
+        "exhibit: 1\n"
+        "pictures: fine\n"
+        "scenes:\n"
+        "  - {id: a}\n"
+        "  - {id: b, kind: trees}\n"
+        "  - {id: c, kind: trees, inks: [ochre], trees: {light: true, endpoints: 900, metaphor: vine, "
+        "over: good.png, gain: 1.25, metric: cumulative}}\n"
+        "  - {id: d, kind: trees, trees: {tree: true, picture: 0.5}}\n"
+        "seats: [{zone: [0, 0, 1, 1], ink: turquoise}]\n"); /* which trees need not have */
+    const struct exhibit_scene *scenes = exhibit->scenes;
+    struct growth_def ink = growth_preset(METAPHOR_INK, false), vine = growth_preset(METAPHOR_VINE, false);
+    assert_int_equal(scenes[0].kind, SCENE_PAINTING);
+    assert_int_equal(scenes[1].kind, SCENE_TREES);
+    assert_null(scenes[1].picture);
+    assert_memory_equal(&scenes[1].growth, &ink, sizeof ink);
+    vine.light = true;
+    vine.endpoints = 900;
+    vine.gain = 1.25f;
+    vine.metric = METRIC_CUMULATIVE;
+    assert_memory_equal(&scenes[2].growth, &vine, sizeof vine);
+    assert_string_equal(scenes[2].picture, "good.png");
+    struct growth_def tree = growth_preset(METAPHOR_INK, true);
+    tree.picture = 0.5f;
+    assert_memory_equal(&scenes[3].growth, &tree, sizeof tree);
+    exhibit_destroy(exhibit);
+    exhibit = exhibit_case_good("exhibit: 1\nscenes: [{id: a, kind: trees, trees: {over: good.png}}]\n");
+    exhibit_destroy(exhibit);
+    exhibit = exhibit_case_good("exhibit: 1\npalette: {tools: [pour, thin]}\n");
+    assert_true(exhibit->palette.tools[TOOL_PLANT] && exhibit->palette.tools[TOOL_THIN]);
+    assert_false(exhibit->palette.tools[TOOL_TEND]);
+    exhibit_destroy(exhibit);
+}
+
 static void a_file_is_read_where_it_lies(void **state)
 {
     struct script_def def = script_default_def();
@@ -435,6 +472,7 @@ int main(void)
         cmocka_unit_test(inputs_are_those_of_an_inputs_file),
         cmocka_unit_test(other_inputs_have_another_mark),
         cmocka_unit_test(a_text_tells_what_it_is),
+        cmocka_unit_test(scenes_of_trees_grow_as_their_metaphor_does_and_as_is_given),
         cmocka_unit_test(a_file_is_read_where_it_lies),
         cmocka_unit_test(every_word_is_shipped),
         cmocka_unit_test(every_row_is_whole),

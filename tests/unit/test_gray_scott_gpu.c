@@ -12,7 +12,9 @@
 #include <GLES3/gl31.h>
 
 #include "gpu_case.h"
+#include "gray_scott_classes.h"
 #include "gray_scott_gpu.h"
+#include "gray_scott_picture.h"
 #include "texture.h"
 
 enum { WIDTH = 150, HEIGHT = 101, CELLS = WIDTH * HEIGHT };
@@ -150,6 +152,83 @@ static void published(void **state)
     display_destroy(display);
 }
 
+enum { PIXELS = 256 };
+
+struct seen {
+    uint8_t rgb[3 * PIXELS * PIXELS], rgba[4 * PIXELS * PIXELS];
+};
+
+/* The mean difference of the two pictures, and the share of bytes that are farther apart than 4. */
+static void compare(struct seen *seen, unsigned texture, double *mean, double *apart)
+{
+    unsigned framebuffer;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    glReadPixels(0, 0, PIXELS, PIXELS, GL_RGBA, GL_UNSIGNED_BYTE, seen->rgba);
+    glDeleteFramebuffers(1, &framebuffer);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    *mean = *apart = 0;
+    for (int i = 0; i < 3 * PIXELS * PIXELS; i++) {
+        int difference = abs(seen->rgb[i] - seen->rgba[i / 3 * 4 + i % 3]);
+        *mean += difference / (3.0 * PIXELS * PIXELS);
+        *apart += (difference > 4) / (3.0 * PIXELS * PIXELS);
+    }
+}
+
+static void shaded(void **state)
+{
+    (void)state;
+    static const float GROUND[] = {0.5f, 0.1f, 0, 0, 0.2f, 0.6f};
+    struct display *display = gpu_display();
+    struct gray_scott_def def = gray_scott_default_def();
+    struct shader_error error = {""};
+    struct seen *seen = calloc(1, sizeof *seen);
+    struct pair *pair = pair_create(&def);
+    gray_scott_step(pair->cpu, 1500);
+    gray_scott_save(pair->cpu, pair->u, pair->v);
+    assert_true(gray_scott_gpu_load(pair->gpu, pair->u, pair->v));
+    const struct texture_def texture_def = {.format = TEXTURE_RGBA32F, .width = WIDTH, .height = HEIGHT};
+    unsigned texture = texture_create(&texture_def);
+    gray_scott_gpu_publish(pair->gpu, texture);
+    assert_null(gray_scott_picture_create(PIXELS, 0, NULL, &error));
+    struct gray_scott_picture *picture = gray_scott_picture_create(PIXELS, PIXELS, NULL, &error);
+    if (!picture) {
+        fail_msg("no picture: %s", error.text);
+    }
+    const struct pattern_plane plane = {pair->v, WIDTH, HEIGHT};
+    double mean, apart;
+    for (const struct gradient_named *named = gradients; named->name; named++) {
+        struct gray_scott_shade_def way = gray_scott_shade_default_def();
+        way.gradient = named->gradient;
+        way.relief = named == gradients ? 0 : 12;
+        way.texture = GROUND;
+        way.texture_width = 2;
+        way.texture_height = 1;
+        assert_true(gray_scott_picture_set(picture, &way));
+        gray_scott_picture_shade(picture, texture, WIDTH, HEIGHT);
+        gray_scott_shade(&plane, &way, PIXELS, PIXELS, seen->rgb);
+        compare(seen, gray_scott_picture_texture(picture), &mean, &apart);
+        assert_true(mean < 1 && apart < 0.001);
+    }
+    struct torus_def torus = torus_default_def();
+    torus.turn = 0.3f;
+    struct gray_scott_shade_def way = gray_scott_shade_default_def();
+    assert_true(gray_scott_picture_set(picture, &way));
+    gray_scott_picture_torus(picture, texture, &torus);
+    assert_true(gray_scott_torus(&plane, &way, &torus, PIXELS, PIXELS, seen->rgb));
+    compare(seen, gray_scott_picture_texture(picture), &mean, &apart);
+    if (!(mean < 6)) { /* the CPU's has smooth edges and a finer mesh */
+        fail_msg("the tori are apart by %.1f of 255 in the mean", mean);
+    }
+    gray_scott_picture_destroy(picture);
+    gray_scott_picture_destroy(NULL);
+    texture_delete(&texture);
+    pair_destroy(pair);
+    free(seen);
+    display_destroy(display);
+}
+
 static void refused(void **state)
 {
     (void)state;
@@ -165,10 +244,8 @@ static void refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_as_cpu),
-        cmocka_unit_test(maps_and_brushes),
-        cmocka_unit_test(published),
-        cmocka_unit_test(refused),
+        cmocka_unit_test(same_as_cpu), cmocka_unit_test(maps_and_brushes), cmocka_unit_test(published),
+        cmocka_unit_test(shaded),      cmocka_unit_test(refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -278,6 +278,41 @@ static void tools_without_a_binding_have_the_default_ones(void **state)
     inputs_destroy(whole);
 }
 
+static int count_dials(const struct inputs *inputs)
+{
+    int count = 0;
+    for (int i = 0; i < inputs->binding_count; i++) {
+        count += inputs->bindings[i].what == DO_TURN && inputs->bindings[i].growth >= 0;
+    }
+    return count;
+}
+
+static void growth_is_turned_by_the_default_dials_or_by_those_of_a_file(void **state)
+{
+    (void)state;
+    struct inputs *inputs =
+        parse("inputs: 1\nbindings: [{usage: Dial, turn: {coefficient: k, from: 1, to: 2}}]\n", NULL);
+    assert_int_equal(count_dials(inputs), 3);
+    assert_true(inputs->bindings[0].growth == -1);
+    inputs_destroy(inputs);
+    inputs = parse("inputs: 1\n"
+                   "bindings:\n"
+                   "  - {usage: Dial, turn: {growth: gain, from: 0.4, to: 4}}\n"
+                   "  - {usage: Wheel, turn: {growth: metaphor}}\n"
+                   "  - {usage: Wheel, turn: {growth: metric, from: 3, to: 1, steps: 8}}\n"
+                   "  - {usage: Wheel, turn: {growth: light}}\n",
+                   NULL);
+    assert_int_equal(count_dials(inputs), 4);
+    const struct binding *bindings = inputs->bindings;
+    assert_string_equal(growth_keys[bindings[0].growth].name, "gain");
+    assert_true(bindings[0].coefficient == -1 && bindings[0].axis.steps == 24);
+    assert_true(bindings[1].axis.from == 0 && bindings[1].axis.to == METAPHORS - 1); /* a detent each */
+    assert_true(bindings[1].axis.steps == METAPHORS - 1 && bindings[1].axis.smooth_ms == 0);
+    assert_true(bindings[2].axis.from == 3 && bindings[2].axis.to == 1 && bindings[2].axis.steps == 8);
+    assert_true(bindings[3].axis.to == 1 && bindings[3].axis.steps == 1);
+    inputs_destroy(inputs);
+}
+
 static void as_many_bindings_as_a_file_may_have(void **state)
 {
     (void)state;
@@ -355,6 +390,7 @@ int main(void)
         cmocka_unit_test(bad_files_are_told_word_for_word),
         cmocka_unit_test(a_file_becomes_what_it_says),
         cmocka_unit_test(tools_without_a_binding_have_the_default_ones),
+        cmocka_unit_test(growth_is_turned_by_the_default_dials_or_by_those_of_a_file),
         cmocka_unit_test(as_many_bindings_as_a_file_may_have),
         cmocka_unit_test(inks_are_the_sessions),
         cmocka_unit_test(the_default_is_valid),
