@@ -93,8 +93,10 @@ static bool widen(struct laplacian_cells *cells)
     }
     free(cells->keys);
     free(cells->bricks);
-    wide.bytes += bytes / 2;
-    *cells = wide;
+    cells->keys = wide.keys;
+    cells->bricks = wide.bricks;
+    cells->room = wide.room;
+    cells->bytes += bytes / 2;
     return true;
 }
 

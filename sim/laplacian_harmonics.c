@@ -76,7 +76,7 @@ static void basis_of(const struct laplacian_harmonics *harmonics, double x, doub
 static void add_cell(struct laplacian_harmonics *harmonics, const struct action_raster *environment, int row,
                      int column)
 {
-    double basis[LAPLACIAN_COEFFICIENTS], sine, cosine, polar_sine, polar_cosine;
+    double basis[LAPLACIAN_COEFFICIENTS] = {0}, sine, cosine, polar_sine, polar_cosine;
     double value = (double)environment->values[row * environment->width + column];
     turn((column + 0.5) / environment->width, &sine, &cosine);
     if (harmonics->dimensions == 2) {
@@ -127,7 +127,7 @@ static double sum_at(const struct laplacian_harmonics *harmonics, const double *
 double laplacian_harmonics_value(const struct laplacian_harmonics *harmonics, const float *at)
 {
     double x = (double)at[0], y = (double)at[1], z = harmonics->dimensions == 3 ? (double)at[2] : 0;
-    double distance = sqrt(x * x + y * y + z * z), basis[LAPLACIAN_COEFFICIENTS];
+    double distance = sqrt(x * x + y * y + z * z), basis[LAPLACIAN_COEFFICIENTS] = {0};
     double inverse = distance > 0 ? 1 / distance : 0;
     basis_of(harmonics, x * inverse, y * inverse, z * inverse, basis);
     return sum_at(harmonics, basis, distance < harmonics->radius ? distance : harmonics->radius);

@@ -102,10 +102,10 @@ static void add(float *loads, const float *const *places, int32_t count, int dim
     }
 }
 
-ALWAYS lanes keep_first(lanes value, int32_t count)
+ALWAYS marks first(int32_t count)
 {
     const marks index = {0, 1, 2, 3, 4, 5, 6, 7};
-    return (lanes)((index < count) & (marks)value);
+    return index < count;
 }
 
 ALWAYS float sum_in(const float *const *places, int32_t count, int dimensions, const float *at)
@@ -116,7 +116,7 @@ ALWAYS float sum_in(const float *const *places, int32_t count, int dimensions, c
         sum += green_of(places, i, dimensions, at);
     }
     if (i < count) {
-        sum += keep_first(green_of(places, i, dimensions, at), count - i);
+        sum += (lanes)(first(count - i) & (marks)green_of(places, i, dimensions, at));
     }
     return reduce(sum);
 }
@@ -249,13 +249,13 @@ ALWAYS unsigned add_children(struct sums *sums, const float *branch, int fan, in
 ALWAYS void add_leaf(struct sums *sums, const float *leaf, int32_t count, int dimensions, const float *at,
                      struct laplacian_field *field)
 {
-    for (int32_t first = 0; first < count; first += LANES) {
+    for (int32_t begin = 0; begin < count; begin += LANES) {
         lanes away[3], squared = all(0), cubed;
         for (int d = 0; d < dimensions; d++) {
-            away[d] = load(leaf + d * LAPLACIAN_LEAF + first) - at[d];
+            away[d] = load(leaf + d * LAPLACIAN_LEAF + begin) - at[d];
             squared += away[d] * away[d];
         }
-        marks there = (marks)keep_first((lanes)(all(1) == all(1)), count - first);
+        marks there = first(count - begin);
         marks far = there & (squared > (float)(LAPLACIAN_NEAR * LAPLACIAN_NEAR));
         unsigned near = bits_of(there & ~far);
         if (near != (unsigned)bits_of(there)) {
@@ -265,7 +265,7 @@ ALWAYS void add_leaf(struct sums *sums, const float *leaf, int32_t count, int di
         for (; near && field->near_count < LAPLACIAN_NEAR_MAX; near &= near - 1) {
             int lane = __builtin_ctz(near);
             for (int d = 0; d < dimensions; d++) {
-                field->near[d][field->near_count] = leaf[d * LAPLACIAN_LEAF + first + lane];
+                field->near[d][field->near_count] = leaf[d * LAPLACIAN_LEAF + begin + lane];
             }
             field->near_count++;
         }

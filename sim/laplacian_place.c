@@ -71,14 +71,14 @@ static bool widen(void *arrays[], int count, int32_t have, int32_t *room, size_t
 
 int32_t laplacian_put(struct laplacian *laplacian, const float *at, int32_t parent, float potential)
 {
-    void *arrays[LAPLACIAN_DIMENSIONS_MAX + 2];
+    void *arrays[LAPLACIAN_DIMENSIONS_MAX + 2] = {NULL};
     int count = 0;
     for (int d = 0; d < laplacian->def.dimensions; d++) {
         arrays[count++] = &laplacian->places[d];
     }
     arrays[count++] = &laplacian->potential;
     arrays[count++] = &laplacian->parent;
-    int32_t cell[LAPLACIAN_DIMENSIONS_MAX], node = laplacian->count;
+    int32_t cell[LAPLACIAN_DIMENSIONS_MAX] = {0}, node = laplacian->count;
     laplacian_cell_of(laplacian, at, cell);
     int32_t *there = laplacian_cells_make(&laplacian->cells, cell);
     if (!there || !widen(arrays, count, node, &laplacian->room, &laplacian->bytes)) {
@@ -99,7 +99,7 @@ int32_t laplacian_put(struct laplacian *laplacian, const float *at, int32_t pare
 
 static bool add_candidate(struct laplacian *laplacian, const float *at, int32_t parent, int32_t *there)
 {
-    void *arrays[LAPLACIAN_DIMENSIONS_MAX + 3];
+    void *arrays[LAPLACIAN_DIMENSIONS_MAX + 3] = {NULL};
     int count = 0;
     int32_t index = laplacian->candidates;
     for (int d = 0; d < laplacian->def.dimensions; d++) {
@@ -162,9 +162,10 @@ static bool next_cell(int32_t *step, int dimensions, int reach)
 
 static bool surround_on_grid(struct laplacian *laplacian, int32_t node)
 {
-    int32_t middle[LAPLACIAN_DIMENSIONS_MAX], step[LAPLACIAN_DIMENSIONS_MAX], cell[LAPLACIAN_DIMENSIONS_MAX] = {0};
+    int32_t middle[LAPLACIAN_DIMENSIONS_MAX] = {0}, step[LAPLACIAN_DIMENSIONS_MAX] = {0},
+            cell[LAPLACIAN_DIMENSIONS_MAX] = {0};
     int dimensions = laplacian->def.dimensions;
-    float at[LAPLACIAN_DIMENSIONS_MAX];
+    float at[LAPLACIAN_DIMENSIONS_MAX] = {0};
     for (int d = 0; d < dimensions; d++) {
         at[d] = laplacian->places[d][node];
         step[d] = -1;
@@ -194,7 +195,7 @@ static bool surround_on_grid(struct laplacian *laplacian, int32_t node)
 /* Nothing lies nearer than SPACING. */
 static bool is_free(struct laplacian *laplacian, const float *at, const int32_t *middle)
 {
-    int32_t step[LAPLACIAN_DIMENSIONS_MAX], cell[LAPLACIAN_DIMENSIONS_MAX] = {0};
+    int32_t step[LAPLACIAN_DIMENSIONS_MAX] = {0}, cell[LAPLACIAN_DIMENSIONS_MAX] = {0};
     int dimensions = laplacian->def.dimensions, reach = (int)(SPACING * laplacian->cells_a_unit) + 1;
     for (int d = 0; d < dimensions; d++) {
         step[d] = -reach;
@@ -242,8 +243,9 @@ static bool direction(const struct laplacian *laplacian, const int32_t *middle, 
 /* As the paper's conclusion suggests: neighbours in any direction. */
 static bool surround_off_grid(struct laplacian *laplacian, int32_t node)
 {
-    int32_t middle[LAPLACIAN_DIMENSIONS_MAX], cell[LAPLACIAN_DIMENSIONS_MAX];
-    float centre[LAPLACIAN_DIMENSIONS_MAX], at[LAPLACIAN_DIMENSIONS_MAX], way[LAPLACIAN_DIMENSIONS_MAX];
+    int32_t middle[LAPLACIAN_DIMENSIONS_MAX] = {0}, cell[LAPLACIAN_DIMENSIONS_MAX] = {0};
+    float centre[LAPLACIAN_DIMENSIONS_MAX] = {0}, at[LAPLACIAN_DIMENSIONS_MAX] = {0},
+          way[LAPLACIAN_DIMENSIONS_MAX] = {0};
     int dimensions = laplacian->def.dimensions, tries = 3;
     for (int d = 0; d < dimensions; d++) {
         centre[d] = laplacian->places[d][node];
@@ -276,7 +278,7 @@ bool laplacian_surround(struct laplacian *laplacian, int32_t node)
 void laplacian_remove(struct laplacian *laplacian, int32_t candidate)
 {
     int32_t last = laplacian->candidates - 1, cell[LAPLACIAN_DIMENSIONS_MAX];
-    float at[LAPLACIAN_DIMENSIONS_MAX];
+    float at[LAPLACIAN_DIMENSIONS_MAX] = {0};
     laplacian_forget(laplacian, candidate, last);
     laplacian_candidate_at(laplacian, candidate, at);
     laplacian_cell_of(laplacian, at, cell);
@@ -301,7 +303,8 @@ void laplacian_remove(struct laplacian *laplacian, int32_t candidate)
 
 int laplacian_neighbours(struct laplacian *laplacian, const float *at, int32_t *candidates)
 {
-    int32_t middle[LAPLACIAN_DIMENSIONS_MAX], step[LAPLACIAN_DIMENSIONS_MAX], cell[LAPLACIAN_DIMENSIONS_MAX] = {0};
+    int32_t middle[LAPLACIAN_DIMENSIONS_MAX] = {0}, step[LAPLACIAN_DIMENSIONS_MAX] = {0},
+            cell[LAPLACIAN_DIMENSIONS_MAX] = {0};
     int dimensions = laplacian->def.dimensions, count = 0;
     laplacian_cell_of(laplacian, at, middle);
     for (int d = 0; d < dimensions; d++) {

@@ -43,7 +43,8 @@ bool laplacian_tree_init(struct laplacian_tree *tree, int dimensions, float erro
     if (!tree->branches) {
         return false;
     }
-    tree->branches[0] = memory_take(LAPLACIAN_CHUNK, (size_t)(tree->planes * tree->fan) * sizeof(float), &tree->bytes);
+    tree->branches[0] =
+        memory_take(LAPLACIAN_CHUNK, (size_t)tree->planes * (size_t)tree->fan * sizeof(float), &tree->bytes);
     tree->branch_chunks = tree->branches[0] != NULL;
     tree->branch_count = 1;
     return tree->branch_chunks > 0;
@@ -78,7 +79,7 @@ static bool add_chunk(float ***chunks, int32_t *count, size_t floats, size_t *by
 static int32_t new_branch(struct laplacian_tree *tree)
 {
     if (tree->branch_count == tree->branch_chunks * LAPLACIAN_CHUNK &&
-        !add_chunk(&tree->branches, &tree->branch_chunks, (size_t)(tree->planes * tree->fan), &tree->bytes)) {
+        !add_chunk(&tree->branches, &tree->branch_chunks, (size_t)tree->planes * (size_t)tree->fan, &tree->bytes)) {
         return -1;
     }
     return tree->branch_count++;
@@ -92,7 +93,7 @@ static int32_t new_leaf(struct laplacian_tree *tree)
         return leaf;
     }
     if (tree->leaf_count == tree->leaf_chunks * LAPLACIAN_CHUNK &&
-        !add_chunk(&tree->leaves, &tree->leaf_chunks, (size_t)(tree->dimensions * LAPLACIAN_LEAF), &tree->bytes)) {
+        !add_chunk(&tree->leaves, &tree->leaf_chunks, (size_t)tree->dimensions * LAPLACIAN_LEAF, &tree->bytes)) {
         return -1;
     }
     return tree->leaf_count++;
@@ -116,7 +117,7 @@ static int child_of(const struct laplacian_tree *tree, const float *at, int leve
 /* Welford's update of charge, centre and moments. */
 static void add_moments(float *child, int fan, int dimensions, const float *at)
 {
-    float before[3], after[3], charge = child[0] + 1;
+    float before[3] = {0}, after[3] = {0}, charge = child[0] + 1;
     child[0] = charge;
     for (int d = 0; d < dimensions; d++) {
         float *centre = child + (1 + d) * fan;
@@ -124,7 +125,7 @@ static void add_moments(float *child, int fan, int dimensions, const float *at)
         *centre += before[d] / charge;
         after[d] = at[d] - *centre;
     }
-    float *moment = child + (1 + dimensions) * fan;
+    float *moment = child + (size_t)(1 + dimensions) * (size_t)fan;
     for (int a = 0; a < dimensions; a++) {
         for (int b = a; b < dimensions; b++, moment += fan) {
             *moment += before[a] * after[b];
@@ -145,12 +146,14 @@ static bool insert_below(struct laplacian_tree *tree, int32_t branch, int level,
 static int32_t split(struct laplacian_tree *tree, int32_t leaf, int level)
 {
     int32_t branch = new_branch(tree);
-    float moved[3 * LAPLACIAN_LEAF], *place = laplacian_tree_leaf(tree, leaf);
+    float moved[3 * LAPLACIAN_LEAF] = {0}, *place = laplacian_tree_leaf(tree, leaf);
     if (branch < 0) {
         return -1;
     }
-    memcpy(moved, place, (size_t)(tree->dimensions * LAPLACIAN_LEAF) * sizeof *moved);
-    memset(place, 0, (size_t)(tree->dimensions * LAPLACIAN_LEAF) * sizeof *moved);
+    for (int i = 0; i < tree->dimensions * LAPLACIAN_LEAF; i++) {
+        moved[i] = place[i];
+    }
+    memset(place, 0, (size_t)tree->dimensions * LAPLACIAN_LEAF * sizeof *moved);
     memcpy(place, &tree->free_leaf, sizeof tree->free_leaf);
     tree->free_leaf = leaf;
     for (int i = 0; i < LAPLACIAN_LEAF; i++) {

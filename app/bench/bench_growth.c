@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -88,7 +89,7 @@ static FILE *start_baselines(pid_t *pid)
     if (!slash) {
         return NULL;
     }
-    strcpy(slash, "/tests/bench/growth_baselines");
+    snprintf(slash, sizeof program - (size_t)(slash - program), "/tests/bench/growth_baselines");
     char *arguments[] = {program, NULL};
     int ends[2];
     if (access(program, X_OK) != 0 || pipe2(ends, O_CLOEXEC) != 0) {
@@ -120,13 +121,11 @@ static bool run_baselines(struct baselines *baselines)
     char line[128];
     int known = 0;
     while (fgets(line, sizeof line, out)) {
-        char name[64];
-        double value;
-        if (sscanf(line, "%63s %lf", name, &value) != 2) {
-            continue;
-        }
-        for (int i = 0; i < BASELINES; i++) {
-            if (strcmp(name, baselines->name[i]) == 0 && value > 0) {
+        char *space = strchr(line, ' ');
+        double value = space ? strtod(space, NULL) : 0;
+        for (int i = 0; i < BASELINES && space; i++) {
+            size_t length = strlen(baselines->name[i]);
+            if (line + length == space && memcmp(line, baselines->name[i], length) == 0 && value > 0) {
                 baselines->value[i] = value;
                 known++;
             }
