@@ -160,7 +160,7 @@ struct pass {
     struct gray_scott *chemistry;
     struct gray_scott_rates rates;
     int steps, runs, bands;
-    bool displace;
+    bool displace, mapped;
     void (*kernel)(const struct gray_scott_rates *, const struct gray_scott_row *);
 };
 
@@ -174,6 +174,22 @@ static float *ring_row(const struct run *run, int step, int chemical, int y)
 {
     int row = ((step - 1) * RING_ROWS + (y & (RING_ROWS - 1))) * CHEMICALS + chemical;
     return run->rings + (size_t)row * CHEMISTRY_RING + CHEMISTRY_LEAD;
+}
+
+/* The maps of row y from column x on. */
+static void set_maps(const struct gray_scott *chemistry, int y, int x, struct gray_scott_row *row)
+{
+    const float *maps[CHEMISTRY_MAPS];
+    for (int i = 0; i < CHEMISTRY_MAPS; i++) {
+        maps[i] = chemistry->maps[i] ? plane_row(chemistry, chemistry->maps[i], y) + x : NULL;
+    }
+    row->feed = maps[MAP_FEED];
+    row->loss = maps[MAP_LOSS];
+    row->rate = maps[MAP_RATE];
+    row->along = maps[MAP_ALONG];
+    row->across = maps[MAP_ACROSS];
+    row->move_x = maps[MAP_MOVE_X];
+    row->move_y = maps[MAP_MOVE_Y];
 }
 
 /* Row y of step `step` of the pass, from three rows of the step before. */
@@ -200,17 +216,9 @@ static void step_row(const struct run *run, int step, int y)
     row.v_out = last ? plane_row(chemistry, chemistry->v[!here], y) + run->x : ring_row(run, step, 1, y);
     row.u_sums = ring_row(run, CHEMISTRY_BLOCK, 0, 0);
     row.v_sums = ring_row(run, CHEMISTRY_BLOCK, 1, 0);
-    const float *maps[CHEMISTRY_MAPS];
-    for (int i = 0; i < CHEMISTRY_MAPS; i++) {
-        maps[i] = chemistry->maps[i] ? plane_row(chemistry, chemistry->maps[i], own) + run->x : NULL;
+    if (pass->mapped) {
+        set_maps(chemistry, own, run->x, &row);
     }
-    row.feed = maps[MAP_FEED];
-    row.loss = maps[MAP_LOSS];
-    row.rate = maps[MAP_RATE];
-    row.along = maps[MAP_ALONG];
-    row.across = maps[MAP_ACROSS];
-    row.move_x = maps[MAP_MOVE_X];
-    row.move_y = maps[MAP_MOVE_Y];
     if (pass->displace) {
         chemistry->kernels->displace(&row);
     } else {
@@ -250,6 +258,7 @@ static void make_pass(struct gray_scott *chemistry, int steps, bool displace)
     pass.kernel = chemistry_whole(chemistry)    ? kernels->whole
                   : chemistry_mapped(chemistry) ? kernels->plain
                                                 : kernels->uniform;
+    pass.mapped = displace || pass.kernel != kernels->uniform;
     pass.runs = (chemistry->width + CHEMISTRY_RUN - 1) / CHEMISTRY_RUN;
     int members = team_size(chemistry->team), most = (chemistry->height + 63) / 64;
     pass.bands = members == 1 ? 1 : (2 * members + pass.runs - 1) / pass.runs;

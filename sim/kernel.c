@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "exponential.h"
+#define LANES_BLOCK LANES
 #include "lanes.h"
 
 #define KERNELS LANES_NAME(kernels)

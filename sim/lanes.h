@@ -15,6 +15,11 @@
 #define LANES_NAME(x) x##_narrow
 #endif
 
+/* Cells of the inner loop: gcc takes loops of four apart before it makes vectors of them. */
+#ifndef LANES_BLOCK
+#define LANES_BLOCK 16
+#endif
+
 /* x from begin to end, both multiples of 16; no iteration depends on another. gcc vectorises a loop of known length
  * inside another, clang a plain one. */
 #if defined(__clang__)
@@ -22,8 +27,8 @@
     _Pragma("clang loop vectorize(assume_safety) interleave(disable)") for (int x = (begin); x < (end); x++)
 #else
 #define FOR_CELLS(x, begin, end)                                                                                       \
-    for (int x##_block = (begin); x##_block < (end); x##_block += LANES)                                               \
-    _Pragma("GCC ivdep") for (int x = x##_block; x < x##_block + LANES; x++)
+    for (int x##_block = (begin); x##_block < (end); x##_block += LANES_BLOCK)                                         \
+    _Pragma("GCC ivdep") for (int x = x##_block; x < x##_block + LANES_BLOCK; x++)
 #endif
 
 #endif
