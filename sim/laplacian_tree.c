@@ -135,7 +135,7 @@ static void add_moments(float *child, int fan, int dimensions, const float *at)
 
 static void put(float *leaf, int dimensions, int32_t slot, const float *at)
 {
-    for (int d = 0; d < dimensions; d++) {
+    for (int d = 0; d < dimensions && d < 3; d++) {
         leaf[d * LAPLACIAN_LEAF + slot] = at[d];
     }
 }

@@ -207,14 +207,14 @@ static void show_painted(struct figure *figure, struct sheet *sheet, uint8_t *rg
         path[2 * i] = 75 * cosf(angle);
         path[2 * i + 1] = 20 - 60 * sinf(angle);
     }
-    struct laplacian_charge charges[4] = {{.shape = LAPLACIAN_STROKE, .charge = -60, .path = path, .path_count = 24},
-                                          {.shape = LAPLACIAN_POINT, .charge = 5000, .at = {-120, -120}},
-                                          {.shape = LAPLACIAN_POINT, .charge = 5000, .at = {120, -120}},
-                                          {.shape = LAPLACIAN_PLANE, .charge = -6000, .at = {0, 130}, .along = {0, 1}}};
+    struct laplacian_charge charges[4] = {{.shape = LAPLACIAN_STROKE, .charge = -12, .path = path, .path_count = 24},
+                                          {.shape = LAPLACIAN_POINT, .charge = 9000, .at = {-120, -120}},
+                                          {.shape = LAPLACIAN_POINT, .charge = 9000, .at = {120, -120}},
+                                          {.shape = LAPLACIAN_PLANE, .charge = -2000, .at = {0, 130}, .along = {0, 1}}};
     struct laplacian_seed seed = {{-120, 120}, {120, 120}};
     struct laplacian_def def = laplacian_default_def();
     def.particles = 26000;
-    def.eta = 4;
+    def.eta = 5;
     def.charges = charges;
     def.charge_count = 4;
     def.seeds = &seed;
