@@ -36,6 +36,7 @@ static struct image_def within_range(const struct image_def *def)
     struct image_def own = def ? *def : image_default_def();
     own.width = clamp(own.width, IMAGE_SIZE_MAX);
     own.height = clamp(own.height, IMAGE_SIZE_MAX);
+    own.shrink = own.shrink > 0 ? clamp(own.shrink, IMAGE_SIZE_MAX) : IMAGE_SIZE_MAX;
     own.channels = clamp(own.channels, IMAGE_CHANNELS_MAX);
     own.megabytes = clamp(own.megabytes, 4096);
     own.seconds = clamp(own.seconds, 600);
@@ -112,13 +113,14 @@ static bool decode(const char *path, int file, const char *format, const struct 
     if (reply < 0) {
         return false;
     }
-    char width[NUMBER], height[NUMBER], channels[NUMBER], megabytes[NUMBER], seconds[NUMBER];
+    char width[NUMBER], height[NUMBER], channels[NUMBER], megabytes[NUMBER], seconds[NUMBER], shrink[NUMBER];
     snprintf(width, sizeof width, "%d", def->width);
     snprintf(height, sizeof height, "%d", def->height);
     snprintf(channels, sizeof channels, "%d", def->channels);
     snprintf(megabytes, sizeof megabytes, "%d", def->megabytes);
     snprintf(seconds, sizeof seconds, "%d", def->seconds);
-    const char *request[] = {"read", format, width, height, channels, megabytes, seconds, NULL};
+    snprintf(shrink, sizeof shrink, "%d", def->shrink);
+    const char *request[] = {"read", format, width, height, channels, megabytes, seconds, shrink, NULL};
     struct image_job job = {.helper = def->helper,
                             .request = request,
                             .input = file,

@@ -30,16 +30,18 @@ enum {
 
 /* What a picture may cost, and who decodes it. */
 struct image_def {
-    int width, height;  /* pixels, at most; 1..IMAGE_SIZE_MAX */
-    int channels;       /* at most; 1..IMAGE_CHANNELS_MAX */
-    int megabytes;      /* at most, of the values handed back, and again of the decoder's own memory; 1..4096. Below 128
-                           decoders refuse even small pictures */
-    int seconds;        /* of processor for a read; two more by the clock end it in any case; 1..600 */
+    int width, height; /* pixels, at most; 1..IMAGE_SIZE_MAX */
+    int shrink;    /* pixels that the longer side comes out with, at most: blocks of 2x2, 3x3, ... pixels are averaged
+                      in the helper; 0: as it is */
+    int channels;  /* at most; 1..IMAGE_CHANNELS_MAX */
+    int megabytes; /* at most, of the values handed back, and again of the decoder's own memory; 1..4096. Below 128
+                      decoders refuse even small pictures */
+    int seconds;   /* of processor for a read; two more by the clock end it in any case; 1..600 */
     int write_seconds;  /* the same for a write */
     const char *helper; /* path of frond-image; NULL: beside this program, in ../libexec/frond, or where installed */
 };
 
-struct image_def image_default_def(void); /* 8192x8192, 4 channels, 512 MB, 10 s, 120 s to write, NULL */
+struct image_def image_default_def(void); /* 8192x8192, as it is, 4 channels, 512 MB, 10 s, 120 s to write, NULL */
 
 /* Linear light, pixels row by row from the top left, channels interleaved. Integer files (8 and 16 bits) are taken as
  * sRGB and made linear, 0..1; float files (EXR, float TIFF) are taken as they are, to the bit, but for infinities and

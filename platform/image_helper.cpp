@@ -1,6 +1,6 @@
 // frond-image: decodes or encodes one picture and ends. Started by image_process.c and by nobody else.
 //
-//     frond-image read FORMAT WIDTH HEIGHT CHANNELS MEGABYTES SECONDS     the file on 0, an image_reply to 1
+//     frond-image read FORMAT WIDTH HEIGHT CHANNELS MEGABYTES SECONDS SHRINK   the file on 0, an image_reply to 1
 //     frond-image write png WIDTH HEIGHT SECONDS                          rgb bytes on 0, the file to 1
 //     frond-image write openexr WIDTH HEIGHT SECONDS NAME...              planes of floats on 0, the file to 1
 //
@@ -10,6 +10,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -128,7 +129,21 @@ void sandbox(int megabytes, int seconds, uint64_t file_bytes)
 
 struct read_limits {
     int width, height, channels, megabytes;
+    int shrink; // pixels of the longer side that comes out
 };
+
+// Pixels along the side of the blocks that become one.
+int block_of(const OIIO::ImageSpec &spec, const read_limits &limits)
+{
+    int longer = spec.width > spec.height ? spec.width : spec.height;
+    return (longer + limits.shrink - 1) / limits.shrink;
+}
+
+// How many blocks cover a side.
+int blocks(int pixels, int block)
+{
+    return (pixels + block - 1) / block;
+}
 
 // The inverse of the sRGB transfer function, IEC 61966-2-1.
 float linear_of(float encoded)
@@ -196,19 +211,87 @@ void check(const OIIO::ImageSpec &spec, const read_limits &limits)
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) {
         refuse(IMAGE_REPLY_DAMAGED, "it has no pixels");
     }
-    uint64_t bytes = uint64_t(spec.width) * uint64_t(spec.height) * uint64_t(spec.nchannels) * sizeof(float);
+    int block = block_of(spec, limits);
+    uint64_t bytes = uint64_t(blocks(spec.width, block)) * uint64_t(blocks(spec.height, block)) *
+                     uint64_t(spec.nchannels) * sizeof(float);
     if (bytes > uint64_t(limits.megabytes) << 20) {
         refuse(IMAGE_REPLY_MEMORY);
     }
 }
 
-void read_values(OIIO::ImageInput &input, const OIIO::ImageSpec &spec)
+// Takes rows of pixels, gives rows of blocks: the mean of linear light, of colours by their alpha.
+class shrinker
+{
+  public:
+    shrinker(const OIIO::ImageSpec &spec, int block)
+        : m_block(block), m_width(spec.width), m_channels(spec.nchannels), m_alpha(spec.alpha_channel),
+          m_sums(size_t(blocks(spec.width, block)) * size_t(spec.nchannels)), m_out(m_sums.size())
+    {
+    }
+
+    void add(const float *row)
+    {
+        for (int x = 0; x < m_width; x++, row += m_channels) {
+            double *sum = &m_sums[size_t(x / m_block) * size_t(m_channels)];
+            double weight = m_alpha >= 0 ? double(row[m_alpha]) : 1.0;
+            for (int c = 0; c < m_channels; c++) {
+                sum[c] += c == m_alpha ? weight : weight * double(row[c]);
+            }
+        }
+        m_rows++;
+    }
+
+    bool is_full() const
+    {
+        return m_rows == m_block;
+    }
+
+    // Of what has been added since the last one.
+    const std::vector<float> &take()
+    {
+        for (size_t i = 0; i < m_sums.size(); i += size_t(m_channels)) {
+            int left = int(i / size_t(m_channels)) * m_block,
+                right = left + m_block < m_width ? left + m_block : m_width;
+            double pixels = double(m_rows) * double(right - left);
+            double weight = m_alpha >= 0 ? m_sums[i + size_t(m_alpha)] : pixels;
+            for (size_t c = 0; c < size_t(m_channels); c++) {
+                double all = int(c) == m_alpha ? pixels : weight;
+                m_out[i + c] = all > 0.0 ? static_cast<float>(m_sums[i + c] / all) : 0.0f;
+            }
+        }
+        std::fill(m_sums.begin(), m_sums.end(), 0.0);
+        m_rows = 0;
+        return m_out;
+    }
+
+  private:
+    int m_block, m_width, m_channels, m_alpha, m_rows = 0;
+    std::vector<double> m_sums;
+    std::vector<float> m_out;
+};
+
+// A band of rows, smaller; returns where what follows goes.
+off_t put_shrunk(shrinker &shrink, const float *values, size_t row, int rows, bool last, off_t offset)
+{
+    for (int y = 0; y < rows; y++) {
+        shrink.add(values + size_t(y) * row);
+        if (shrink.is_full() || (last && y == rows - 1)) {
+            const std::vector<float> &out = shrink.take();
+            put(out.data(), out.size() * sizeof(float), offset);
+            offset += static_cast<off_t>(out.size() * sizeof(float));
+        }
+    }
+    return offset;
+}
+
+void read_values(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int block)
 {
     int row = spec.width * spec.nchannels;
     int band = spec.tile_width ? spec.tile_height : band_bytes / (row * int(sizeof(float)));
     band = band < 1 ? 1 : band > spec.height ? spec.height : band;
     std::vector<float> values(size_t(row) * size_t(band));
     to_linear linear(spec);
+    shrinker shrink(spec, block);
     off_t offset = IMAGE_REPLY_VALUES;
     for (int y = 0; y < spec.height; y += band) {
         int rows = band < spec.height - y ? band : spec.height - y;
@@ -222,6 +305,10 @@ void read_values(OIIO::ImageInput &input, const OIIO::ImageSpec &spec)
         }
         for (size_t i = 0; i < size_t(row) * size_t(rows); i += size_t(spec.nchannels)) {
             linear.convert(&values[i]);
+        }
+        if (block > 1) {
+            offset = put_shrunk(shrink, values.data(), size_t(row), rows, y + rows == spec.height, offset);
+            continue;
         }
         size_t bytes = size_t(row) * size_t(rows) * sizeof(float);
         put(values.data(), bytes, offset);
@@ -262,10 +349,11 @@ std::unique_ptr<OIIO::ImageInput> make_reader(const std::string &format)
         refuse(IMAGE_REPLY_DAMAGED, input->geterror());
     }
     check(spec, limits);
-    read_values(*input, spec);
+    int block = block_of(spec, limits);
+    read_values(*input, spec, block);
     struct image_reply reply = make_reply(IMAGE_REPLY_OK);
-    reply.width = static_cast<uint32_t>(spec.width);
-    reply.height = static_cast<uint32_t>(spec.height);
+    reply.width = static_cast<uint32_t>(blocks(spec.width, block));
+    reply.height = static_cast<uint32_t>(blocks(spec.height, block));
     reply.channels = static_cast<uint32_t>(spec.nchannels);
     reply.alpha = spec.alpha_channel;
     int orientation = spec.get_int_attribute("Orientation", 1);
@@ -355,9 +443,10 @@ void serve(int argc, char **argv)
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
     OIIO::attribute("limits:imagesize_MB", native_megabytes);
-    if (order == "read" && argc == 8) {
+    if (order == "read" && argc == 9) {
         read_limits limits = {number(argv[3], IMAGE_SIZE_MAX), number(argv[4], IMAGE_SIZE_MAX),
-                              number(argv[5], IMAGE_CHANNELS_MAX), number(argv[6], 4096)};
+                              number(argv[5], IMAGE_CHANNELS_MAX), number(argv[6], 4096),
+                              number(argv[8], IMAGE_SIZE_MAX)};
         read_picture(format, limits, number(argv[7], 600));
     }
     if (order == "write" && argc >= 6 && (format == "png" ? argc == 6 : format == "openexr" && argc > 6)) {

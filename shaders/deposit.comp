@@ -68,7 +68,7 @@ void add_ink(int word, float amount)
     float share = amount / add_liquid(INK, word, amount);
     for (int i = 0; i < INKS; i++) {
         int at = (WET + i) * planes.w + word;
-        fluid[at] = (1.0 - share) * fluid[at] + (i == lies.w ? share : 0.0);
+        fluid[at] = max(1.0 - share, 0.0) * fluid[at] + (i == lies.w ? share : 0.0);
     }
 }
 

@@ -14,6 +14,7 @@ enum texture_format {
     TEXTURE_RGBA8,   /* 4 bytes, 0..255 for 0..1 */
     TEXTURE_SRGB8,   /* 4 bytes, sRGB and linear alpha, decoded when sampled; no image */
     TEXTURE_R8,      /* 1 byte, 0..255 for 0..1; no image */
+    TEXTURE_R16UI,   /* 1 uint16_t; nearest only; no image */
     TEXTURE_R32UI,   /* 1 uint32_t; nearest only */
     TEXTURE_FORMATS,
 };

@@ -70,24 +70,30 @@ static const struct key DROP[] = {
     END,
 };
 static const struct key BRUSH_SOLVENT[] = {
-    PATH(true),
+    PATH(false),
     RADIUS(6, "Half the width of the stroke."),
     NUMBER(amount, "density per cell", 0, 1000, 10, "Solvent laid down."),
+    FORMULA("How much of it, everywhere: an expression in x and y, 0 to 1."),
+    PICTURE("Laid as a picture: the darker, the more."),
     END,
 };
 static const struct key BRUSH_INK[] = {
-    PATH(true),
+    PATH(false),
     INK,
     RADIUS(6, "Half the width of the stroke."),
     NUMBER(amount, "density per cell", 0, 1000, 10, "Ink laid down."),
+    FORMULA("How much of it, everywhere: an expression in x and y, 0 to 1."),
+    PICTURE("Laid as a picture: the darker, the more."),
     END,
 };
 static const struct key DRAW[] = {
-    PATH(true),
+    PATH(false),
     INK,
     RADIUS(1.5, "Half the width of the line."),
     NUMBER(amount, "optical thickness", 0, 4, 1, "How dark the line is."),
     CHOICE(over, OVERS, OVER_RESPECT, "Whether growth respects the line or may run over it."),
+    FORMULA("How much of it, everywhere: an expression in x and y, 0 to 1."),
+    PICTURE("Laid as a picture: the darker, the more."),
     END,
 };
 static const struct key GUIDE[] = {
@@ -162,7 +168,8 @@ static const struct key STOCK[] = {
 };
 static const struct key SHAPE[] = {
     {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, FIELD(growth), true, "What to set, as of frond grow."},
-    NUMBER(value, "as that", -10000, 100000, 0, "Its value; of a choice, its number from 0."),
+    NUMBER(value, "as that", 0, 2147483647.0, 0,
+           "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
 };
 static const struct key PLANT[] = {

@@ -147,6 +147,7 @@ static void place_nodes(struct dendrite *dendrite)
             float dx = node->x - parent->x, dy = node->y - parent->y;
             node->reach = parent->reach + sqrtf(dx * dx + dy * dy);
         }
+        node->birth = node->reach;
     }
 }
 

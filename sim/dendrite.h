@@ -16,6 +16,7 @@ struct dendrite_node {
     float x, y;     /* pixels of the picture; smoothed */
     float radius;   /* pixels */
     float reach;    /* pixels along the structure from the seed, before smoothing */
+    float birth;    /* when it grows, of whoever says so (garden.h); by dendrite_arrange the same as reach */
     uint8_t level;  /* the iteration that made it: 0 the first */
 };
 

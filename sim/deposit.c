@@ -74,9 +74,16 @@ static float cell_of(struct deposit *deposit, int x, int y, float *seed)
         return region_holds(&deposit->region, x, y) ? deposit->amount : 0.0f;
     case ACTION_RINSE:
         return rinse_phase(&deposit->water, x, y, seed);
+    case ACTION_BRUSH_SOLVENT:
+    case ACTION_BRUSH_INK:
+        if (deposit->region.kind == REGION_RASTER) {
+            return region_cover(&deposit->region, x, y);
+        }
+        break;
     default:
-        return region_holds(&deposit->region, x, y) ? 1.0f : 0.0f;
+        break;
     }
+    return region_holds(&deposit->region, x, y) ? 1.0f : 0.0f;
 }
 
 /* The cells that a verb may lay something on, not clipped. */
@@ -93,7 +100,7 @@ static struct rectangle bounds(struct deposit *deposit)
     case ACTION_BRUSH_SOLVENT:
     case ACTION_BRUSH_INK:
     case ACTION_DRAW:
-        return wider.path.count > 0 ? deposit->region.cells : (struct rectangle){0, 0, 0, 0};
+        return region_is_laid(&wider) ? deposit->region.cells : (struct rectangle){0, 0, 0, 0};
     case ACTION_POUR:
         wider.radius += RING_WIDTH;
         return region_of(&ground->def, &wider).cells;

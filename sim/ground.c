@@ -226,7 +226,7 @@ struct rectangle ground_act(struct ground *ground, const struct action *action)
         ground_cell_of(ground, action->at, &x, &y);
         return action->brush == BRUSH_NONE ? nothing : ground_stamp(ground, x, y, action->brush, action->reach);
     case ACTION_DRAW:
-        return action->path.count == 0 || action->over != OVER_RESPECT ? nothing : each_cell(ground, action, act_draw);
+        return action->over != OVER_RESPECT || !region_is_laid(action) ? nothing : each_cell(ground, action, act_draw);
     case ACTION_GUIDE:
         return each_cell(ground, action, act_guide);
     case ACTION_POUR:

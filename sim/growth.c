@@ -12,7 +12,7 @@ enum {
     TRUNK_SMOOTH = 24, /* more passes over the trunk and primary branches of a tree */
 };
 
-static struct lattice_def lattice_of(const struct growth_def *def)
+struct lattice_def growth_lattice_def(const struct growth_def *def)
 {
     struct lattice_def lattice = lattice_default_def();
     lattice.base = def->base;
@@ -140,7 +140,7 @@ struct growth *growth_create(const float *grey, int width, int height, const str
     if (weights.gradient + weights.intensity <= 0) {
         weights.intensity = 1;
     }
-    struct lattice_def lattice = lattice_of(def);
+    struct lattice_def lattice = growth_lattice_def(def);
     growth->importance = importance_create(grey, width, height, &weights);
     if (growth->importance) {
         growth->lattice = lattice_create(growth->importance, &lattice, NULL, NULL);
@@ -178,8 +178,7 @@ static bool is_within(const struct lattice *lattice, struct rectangle rectangle,
     return x >= rectangle.x0 && x < rectangle.x1 && y >= rectangle.y0 && y < rectangle.y1;
 }
 
-/* Endpoints within the rectangle are placed anew, kept apart from those around it. */
-static bool place_again(struct growth *growth, struct rectangle touched)
+bool growth_place_again(struct growth *growth, struct rectangle touched)
 {
     struct rectangle around = {touched.x0 - BRUSH_MARGIN, touched.x1 + BRUSH_MARGIN, touched.y0 - BRUSH_MARGIN,
                                touched.y1 + BRUSH_MARGIN};
@@ -198,7 +197,12 @@ static bool place_again(struct growth *growth, struct rectangle touched)
         }
     }
     for (int32_t i = 0; i < growth->seed_count && good; i++) {
-        seeds[near++] = growth->seeds[i];
+        if (is_within(growth->lattice, around, growth->seeds[i])) {
+            seeds[near++] = growth->seeds[i];
+        }
+    }
+    if (good && near == 0) {
+        seeds[near++] = lattice_node(growth->lattice, (touched.x0 + touched.x1) / 2, (touched.y0 + touched.y1) / 2);
     }
     if (good) {
         int32_t found = stipple_run(growth->stipple, seeds, near, stipple_threshold(growth->stipple), &around);
@@ -219,14 +223,14 @@ bool growth_brush(struct growth *growth, float x, float y, float radius, float a
     if (growth->def.tree) {
         return false;
     }
-    struct lattice_def lattice = lattice_of(&growth->def);
+    struct lattice_def lattice = growth_lattice_def(&growth->def);
     struct rectangle touched = importance_brush(growth->importance, x, y, radius, amount);
     if (rectangle_is_empty(touched)) {
         return true;
     }
     lattice_weigh(growth->lattice, growth->importance, &lattice, touched);
     stipple_weigh(growth->stipple, growth->importance, &touched);
-    return place_again(growth, touched) && routes_replan(growth->routes, touched) && build(growth);
+    return growth_place_again(growth, touched) && routes_replan(growth->routes, touched) && build(growth);
 }
 
 bool growth_strokes(const struct growth *growth, struct strokes *strokes)

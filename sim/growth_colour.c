@@ -205,7 +205,7 @@ static float winter_colour(const struct growth_shade *shade, const struct stroke
 static float bark_colour(const struct growth_shade *shade, const struct stroke_raster *raster, size_t i, float rgb[3])
 {
     float light = lit(raster, i), u = (float)(i % (size_t)raster->width) / raster->scale;
-    size_t row = i / (size_t)raster->width;
+    size_t row = i / (size_t)raster->width + (size_t)raster->row;
     float v = (float)row / raster->scale;
     float patch = noise_smooth(u * 1.6f, v * 0.7f, 3.2f, 31, RANDOM_SMOOTH) + 0.4f * (raster->tone[i] - 0.5f);
     float bright = light * 0.9f + 0.22f * patch;
@@ -221,7 +221,7 @@ static float bark_colour(const struct growth_shade *shade, const struct stroke_r
 
 static float ink_colour(const struct growth_shade *shade, const struct stroke_raster *raster, size_t i, float rgb[3])
 {
-    size_t column = i % (size_t)raster->width, row = i / (size_t)raster->width;
+    size_t column = i % (size_t)raster->width, row = i / (size_t)raster->width + (size_t)raster->row;
     float u = (float)column / raster->scale, v = (float)row / raster->scale;
     float pool = noise_smooth(u, v, 6, 41, RANDOM_SMOOTH), edge = fabsf(raster->across[i]);
     float load = 0.55f + 0.45f * pool - 0.35f * edge * edge; /* ink dries darker at the edge */

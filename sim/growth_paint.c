@@ -4,36 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "memory.h"
+#include "blur.h"
 
-enum { BOX_PASSES = 3, DAB = 2 };
-
-/* Three boxes one after another, nearly a Gaussian of that sigma. `other` is as large. */
-static void box_row(const float *in, float *out, int count, int step, int half)
-{
-    float sum = 0, over = 1.0f / (float)(2 * half + 1);
-    for (int i = -half; i <= half; i++) {
-        sum += in[(i < 0 ? 0 : i < count ? i : count - 1) * step];
-    }
-    for (int i = 0; i < count; i++) {
-        int gone = i - half, next = i + half + 1;
-        out[i * step] = sum * over;
-        sum += in[(next < count ? next : count - 1) * step] - in[(gone > 0 ? gone : 0) * step];
-    }
-}
-
-static void blur(float *plane, float *other, int width, int height, float sigma)
-{
-    int half = (int)(sigma + 0.5f) > 0 ? (int)(sigma + 0.5f) : 1;
-    for (int pass = 0; pass < BOX_PASSES; pass++) {
-        for (int y = 0; y < height; y++) {
-            box_row(plane + (size_t)y * (size_t)width, other + (size_t)y * (size_t)width, width, 1, half);
-        }
-        for (int x = 0; x < width; x++) {
-            box_row(other + x, plane + x, height, width, half);
-        }
-    }
-}
+enum { DAB = 2 };
 
 struct glow {
     float sigma, strength; /* pixels of the picture; of full cover */
@@ -51,7 +24,7 @@ static bool add_glow(const struct stroke_raster *raster, const struct glow *glow
             float thick = raster->radius[i] / raster->scale;
             plane[i] = raster->cover[i] * (thick < 1 ? thick : 1);
         }
-        blur(plane, other, raster->width, raster->height, glow->sigma * raster->scale);
+        blur_boxes(plane, other, raster->width, raster->height, glow->sigma * raster->scale);
         for (size_t i = 0; i < pixels; i++) {
             float light = plane[i] * glow->strength;
             light = light < 1 ? light : 1;

@@ -13,9 +13,17 @@ struct importance_def importance_default_def(void)
     return (struct importance_def){.gradient = 3, .intensity = 1, .blur = 0.8f};
 }
 
+/* By roots and quotients alone, which are the same on every machine. */
 static float encode(float linear)
 {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * powf(linear, 1 / 2.4f) - 0.055f;
+    if (linear <= 0.0031308f) {
+        return 12.92f * linear;
+    }
+    double x = (double)linear, root = 1; /* of the third degree, by Newton */
+    for (int i = 0; i < 24; i++) {
+        root = (2 * root + x / (root * root)) / 3;
+    }
+    return (float)(1.055 * sqrt(sqrt(x * root * root)) - 0.055);
 }
 
 void importance_grey(const float *linear, int width, int height, int channels, int alpha, float *grey)
@@ -45,7 +53,8 @@ static int make_taps(float sigma, float taps[TAPS_MAX])
     int count = sigma > 0 ? (int)ceilf(2.5f * sigma) + 1 : 1;
     float sum = 0;
     for (int i = 0; i < count; i++) {
-        taps[i] = sigma > 0 ? expf(-0.5f * (float)(i * i) / (sigma * sigma)) : 1;
+        float tap = sigma > 0 ? expf(-0.5f * (float)(i * i) / (sigma * sigma)) : 1;
+        taps[i] = floorf(tap * 65536 + 0.5f) / 65536; /* whatever the last bit of expf is here */
         sum += i > 0 ? 2 * taps[i] : taps[i];
     }
     for (int i = 0; i < count; i++) {
@@ -178,14 +187,40 @@ void importance_destroy(struct importance *importance)
     }
 }
 
-struct rectangle importance_brush(struct importance *importance, float x, float y, float radius, float amount)
+/* The square of the distance to a path, in squares of `radius`. */
+static float far_from(const float (*points)[2], int count, float x, float y, float radius)
 {
-    struct rectangle touched = {(int)floorf(x - radius), (int)ceilf(x + radius) + 1, (int)floorf(y - radius),
+    float nearest = 1;
+    for (int i = 0; i < count; i++) {
+        const float *from = points[i], *to = points[i + 1 < count ? i + 1 : i];
+        float dx = to[0] - from[0], dy = to[1] - from[1], square = dx * dx + dy * dy;
+        float t = square > 0 ? ((x - from[0]) * dx + (y - from[1]) * dy) / square : 0;
+        t = t < 0 ? 0 : t > 1 ? 1 : t;
+        float ex = x - from[0] - t * dx, ey = y - from[1] - t * dy, far = (ex * ex + ey * ey) / (radius * radius);
+        nearest = far < nearest ? far : nearest;
+    }
+    return nearest;
+}
+
+static struct rectangle around(const float (*points)[2], int count, float radius)
+{
+    struct rectangle all = {0, 0, 0, 0};
+    for (int i = 0; i < count; i++) {
+        float x = points[i][0], y = points[i][1];
+        struct rectangle one = {(int)floorf(x - radius), (int)ceilf(x + radius) + 1, (int)floorf(y - radius),
                                 (int)ceilf(y + radius) + 1};
-    touched = rectangle_clip(touched, importance->width, importance->height);
+        all = i == 0 ? one : rectangle_join(all, one);
+    }
+    return all;
+}
+
+struct rectangle importance_stroke(struct importance *importance, const float (*points)[2], int count, float radius,
+                                   float amount)
+{
+    struct rectangle touched = rectangle_clip(around(points, count, radius), importance->width, importance->height);
     for (int row = touched.y0; row < touched.y1; row++) {
         for (int column = touched.x0; column < touched.x1; column++) {
-            float dx = (float)column - x, dy = (float)row - y, far = (dx * dx + dy * dy) / (radius * radius);
+            float far = far_from(points, count, (float)column, (float)row, radius);
             if (far < 1) {
                 float *value = importance->values + (size_t)row * (size_t)importance->width + (size_t)column;
                 float changed = *value + amount * (1 - far) * (1 - far);
@@ -195,6 +230,12 @@ struct rectangle importance_brush(struct importance *importance, float x, float 
         }
     }
     return touched;
+}
+
+struct rectangle importance_brush(struct importance *importance, float x, float y, float radius, float amount)
+{
+    const float point[1][2] = {{x, y}};
+    return importance_stroke(importance, point, 1, radius, amount);
 }
 
 float importance_at(const struct importance *importance, float x, float y)

@@ -41,6 +41,10 @@ void importance_destroy(struct importance *importance); /* takes NULL */
  * may have touched. */
 struct rectangle importance_brush(struct importance *importance, float x, float y, float radius, float amount);
 
+/* The same along a path of `count` points, pixels, at once: where it crosses itself it counts once. */
+struct rectangle importance_stroke(struct importance *importance, const float (*points)[2], int count, float radius,
+                                   float amount);
+
 /* Bilinear, clamped to the borders. */
 float importance_at(const struct importance *importance, float x, float y);
 

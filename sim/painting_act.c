@@ -42,9 +42,10 @@ static void add_ink(const struct painting *painting, int x, int y, int ink, floa
         return;
     }
     float share = amount / add_liquid(painting, FLUID_INK, x, y, amount);
+    float rest = share < 1.0f ? 1.0f - share : 0.0f; /* on dry ground the sum may be rounded below the amount */
     for (int i = 0; i < INKS; i++) {
         float *wet = field(painting, FLUID_WET + i, x, y);
-        *wet = (1.0f - share) * *wet + (i == ink ? share : 0.0f);
+        *wet = rest * *wet + (i == ink ? share : 0.0f);
     }
 }
 

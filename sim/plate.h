@@ -15,13 +15,17 @@ struct plate {
     uint8_t ground[4]; /* what lies over the whole sheet behind it, sRGB multiplied by alpha; 0: the painting shows */
 };
 
-/* Ticks in which a pixel comes up. */
+/* Ticks in which a pixel comes up from its birth on: with t the share of them that has passed, 0..1, it is shown to
+ * t * t * (3 - 2 * t). */
 enum { PLATE_SOFT = 12 };
 
 /* Empty; false and zeroed when memory is short. */
 bool plate_init(struct plate *plate, int width, int height);
 void plate_finish(struct plate *plate); /* takes zeroed */
-/* Lays what has appeared by `tick` over width * height * 3 bytes of sRGB, as shaders/plate.h does, within 1 of 255. */
+/* Covers nothing any more; size, tick and ground stay. */
+void plate_clear(struct plate *plate);
+/* Lays the ground and what has appeared on it by `tick` over width * height * 3 bytes of sRGB, as shaders/plate.h does,
+ * within 1 of 255: each is mixed as it is encoded, below * (1 - alpha) + above. */
 void plate_reveal(const struct plate *plate, int64_t tick, uint8_t *rgb);
 
 #endif

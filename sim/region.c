@@ -60,6 +60,11 @@ struct region region_of(const struct painting_def *def, const struct action *act
     return region;
 }
 
+bool region_is_laid(const struct action *action)
+{
+    return action->path.count > 0 || action->formula.values || action->picture.values;
+}
+
 /* Squared distance of `cell` from the piece a-b; `nearest` is left as it was unless this piece is nearer. */
 static float piece_distance(struct point a, struct point b, struct point cell, float nearest, struct point *along)
 {
@@ -141,6 +146,10 @@ bool region_holds(const struct region *region, int x, int y)
 
 float region_cover(const struct region *region, int x, int y)
 {
+    if (region->kind == REGION_RASTER) {
+        float value = region_sample(region->def, region->raster, 0, x, y);
+        return clamp_unit(region->action->formula.values ? value : 1.0f - value);
+    }
     float cover = region->radius + 0.5f - region_distance(region, x, y, NULL);
     return cover < 0.0f ? 0.0f : cover > 1.0f ? 1.0f : cover;
 }

@@ -234,6 +234,33 @@ bool routes_plan(struct routes *routes, enum metric metric, int emphasis, const 
     return !routes->queue.failed;
 }
 
+bool routes_add(struct routes *routes, int32_t seed)
+{
+    int32_t count = routes->seed_count, *seeds = malloc(((size_t)count + 1) * sizeof *seeds);
+    if (!seeds) {
+        forget(routes);
+        return false;
+    }
+    memcpy(seeds, routes->seeds, (size_t)count * sizeof *seeds);
+    seeds[count] = seed;
+    bool good = routes->metric != METRIC_CUMULATIVE
+                    ? routes_plan(routes, routes->metric, routes->emphasis, seeds, count + 1)
+                    : keep_seeds(routes, seeds, count + 1);
+    free(seeds);
+    if (good && routes->metric == METRIC_CUMULATIVE) {
+        routes->label[seed] = 0;
+        routes->toward[seed] = ROUTES_SEED;
+        route_queue_start(&routes->queue, queue_shift(routes), has_long_steps(routes));
+        route_queue_push(&routes->queue, 0, seed);
+        settle_all(routes, METRIC_CUMULATIVE);
+        good = !routes->queue.failed;
+    }
+    if (!good) {
+        forget(routes);
+    }
+    return good;
+}
+
 /* Forgets the ways of `node` and of all that lead through it; returns how many, on the stack from `base`. */
 static int32_t forget_beyond(struct routes *routes, int32_t node, int32_t base)
 {
@@ -318,6 +345,14 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
     struct rectangle around = {changed.x0 - 1, changed.x1 + 1, changed.y0 - 1, changed.y1 + 1};
     around = rectangle_clip(around, lattice->width, lattice->height);
     int32_t gone = 0;
+    for (int y = changed.y0; y < changed.y1; y++) { /* walls that are none any more */
+        for (int x = changed.x0; x < changed.x1; x++) {
+            int32_t node = lattice_node(lattice, x, y);
+            if (routes->toward[node] == ROUTES_NONE && lattice->weight[node] > 0) {
+                routes->stack[gone++] = node;
+            }
+        }
+    }
     route_queue_start(&routes->queue, queue_shift(routes), false);
     for (int y = around.y0; y < around.y1; y++) {
         for (int x = around.x0; x < around.x1; x++) {

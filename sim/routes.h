@@ -40,9 +40,14 @@ void routes_destroy(struct routes *routes); /* takes NULL */
 /* Plans anew from `count` seeds, open nodes. `emphasis` 0..ROUTES_EMPHASIS_MAX is of METRIC_WEIGHTED alone; METRIC_FULL
  * takes no notice of the lattice's lean. False when memory is short: there are no routes then. */
 bool routes_plan(struct routes *routes, enum metric metric, int emphasis, const int32_t *seeds, int32_t count);
-/* After the weights within a rectangle of the picture have changed: the same routes as planning anew, at the cost of
- * those that change (the full metric: of planning anew). False when memory is short: there are no routes then. */
+/* After the weights within a rectangle of the picture have changed, walls among them, but not at seeds: the same routes
+ * as planning anew, at the cost of those that change (the full metric: of planning anew). False when memory is short:
+ * there are no routes then. */
 bool routes_replan(struct routes *routes, struct rectangle changed);
+
+/* One more seed: the same routes as planning anew with it behind the others, at the cost of those that change (but for
+ * METRIC_CUMULATIVE: of planning anew). False when memory is short: there are no routes then. */
+bool routes_add(struct routes *routes, int32_t seed);
 
 /* The next node on the way to the seed, ROUTES_SEED or ROUTES_NONE. */
 const int32_t *routes_toward(const struct routes *routes);

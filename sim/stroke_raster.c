@@ -14,8 +14,9 @@ bool stroke_raster_init(struct stroke_raster *raster, int width, int height, flo
     if (!raster->planes) {
         return false;
     }
-    float **const planes[STROKE_PLANES] = {&raster->cover,   &raster->radius, &raster->across, &raster->slope,
-                                           &raster->slope_y, &raster->tone,   &raster->reach,  &raster->level};
+    float **const planes[STROKE_PLANES] = {&raster->cover, &raster->radius,  &raster->across,
+                                           &raster->slope, &raster->slope_y, &raster->tone,
+                                           &raster->reach, &raster->level,   &raster->birth};
     for (int i = 0; i < STROKE_PLANES; i++) {
         *planes[i] = raster->planes + (size_t)i * pixels;
     }
@@ -35,7 +36,7 @@ void stroke_raster_clear(struct stroke_raster *raster)
 
 struct piece {
     float x, y, dx, dy, radius, more; /* from, over, at the beginning, to the end */
-    float tone, reach, far, level;
+    float tone, reach, far, level, birth, later;
 };
 
 static void draw_row(struct stroke_raster *raster, const struct piece *piece, int y, int x0, int x1)
@@ -68,6 +69,7 @@ static void draw_row(struct stroke_raster *raster, const struct piece *piece, in
         raster->tone[i] = piece->tone;
         raster->reach[i] = piece->reach + t * piece->far;
         raster->level[i] = piece->level;
+        raster->birth[i] = piece->birth + t * piece->later;
     }
 }
 
@@ -90,9 +92,9 @@ static void draw_piece(struct stroke_raster *raster, const struct piece *piece)
     }
 }
 
-static void draw_stroke(struct stroke_raster *raster, const struct strokes *strokes, const struct stroke *stroke,
-                        float grown)
+void stroke_raster_stroke(struct stroke_raster *raster, const struct strokes *strokes, int32_t index, float grown)
 {
+    const struct stroke *stroke = &strokes->strokes[index];
     const struct stroke_point *points = strokes->points + stroke->first;
     float reach = stroke->reach, scale = raster->scale;
     for (int32_t i = 0; i < stroke->count && reach < grown; i++) {
@@ -111,7 +113,9 @@ static void draw_stroke(struct stroke_raster *raster, const struct strokes *stro
                               .tone = stroke->tone,
                               .reach = reach,
                               .far = far * part,
-                              .level = stroke->level};
+                              .level = stroke->level,
+                              .birth = from->birth,
+                              .later = (to->birth - from->birth) * part};
         draw_piece(raster, &piece);
         reach += far;
     }
@@ -123,7 +127,7 @@ void stroke_raster_draw(struct stroke_raster *raster, const struct strokes *stro
     for (int32_t i = 0; i < strokes->count; i++) {
         const struct stroke *stroke = &strokes->strokes[i];
         if (stroke->layer == layer && stroke->kind == kind) {
-            draw_stroke(raster, strokes, stroke, grown);
+            stroke_raster_stroke(raster, strokes, i, grown);
         }
     }
 }

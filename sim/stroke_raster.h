@@ -12,6 +12,7 @@ struct stroke_raster {
     int width, height;
     float scale;         /* pixels here over pixels of the picture */
     float left, top;     /* where the picture's upper left corner is, pixels here */
+    int row;             /* of a band of a larger whole: its rows above this; 0 */
     float *cover;        /* 0..1 */
     float *radius;       /* pixels here */
     float *across;       /* -1..1: from the axis to the edge, the sign is that of `slope` */
@@ -19,10 +20,11 @@ struct stroke_raster {
     float *slope_y;      /* y of the direction from the axis to the pixel, of length 1; 0 on the axis */
     float *tone, *reach; /* of the stroke, and along it, pixels of the picture */
     float *level;
+    float *birth;  /* between those of the stroke's points */
     float *planes; /* all of them; owned */
 };
 
-enum { STROKE_PLANES = 8 };
+enum { STROKE_PLANES = 9 };
 
 /* NULL-planed and false when memory is short. */
 bool stroke_raster_init(struct stroke_raster *raster, int width, int height, float scale, float left, float top);
@@ -33,5 +35,7 @@ void stroke_raster_clear(struct stroke_raster *raster);
  * structure are left out. */
 void stroke_raster_draw(struct stroke_raster *raster, const struct strokes *strokes, int layer, enum stroke_kind kind,
                         float grown);
+/* Draws one of them. */
+void stroke_raster_stroke(struct stroke_raster *raster, const struct strokes *strokes, int32_t stroke, float grown);
 
 #endif

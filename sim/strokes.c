@@ -14,6 +14,11 @@ void strokes_finish(struct strokes *strokes)
     *strokes = (struct strokes){0};
 }
 
+void strokes_empty(struct strokes *strokes)
+{
+    strokes->count = strokes->point_count = 0;
+}
+
 bool strokes_begin(struct strokes *strokes, enum stroke_kind kind, int layer, int level, float reach, float tone)
 {
     if (strokes->count == strokes->room) {
@@ -34,7 +39,7 @@ bool strokes_begin(struct strokes *strokes, enum stroke_kind kind, int layer, in
     return true;
 }
 
-bool strokes_point(struct strokes *strokes, float x, float y, float radius)
+bool strokes_point(struct strokes *strokes, float x, float y, float radius, float birth)
 {
     if (strokes->point_count == strokes->point_room) {
         int32_t room = 2 * strokes->point_room + 8192;
@@ -45,7 +50,7 @@ bool strokes_point(struct strokes *strokes, float x, float y, float radius)
         strokes->points = more;
         strokes->point_room = room;
     }
-    strokes->points[strokes->point_count++] = (struct stroke_point){x, y, radius};
+    strokes->points[strokes->point_count++] = (struct stroke_point){x, y, radius, birth};
     strokes->strokes[strokes->count - 1].count++;
     return true;
 }
@@ -64,11 +69,11 @@ bool strokes_branches(struct strokes *strokes, const struct dendrite *dendrite, 
             const struct dendrite_node *junction = &nodes[branch->junction];
             float own = nodes[order[0]].radius;
             own = own < junction->radius ? own : junction->radius; /* no knob where a twig leaves a trunk */
-            good = strokes_point(strokes, junction->x, junction->y, own);
+            good = strokes_point(strokes, junction->x, junction->y, own, junction->birth);
         }
         for (int32_t i = 0; i < branch->count && good; i++) {
             const struct dendrite_node *node = &nodes[order[i]];
-            good = strokes_point(strokes, node->x, node->y, node->radius);
+            good = strokes_point(strokes, node->x, node->y, node->radius, node->birth);
         }
     }
     return good;

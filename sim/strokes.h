@@ -11,6 +11,7 @@ enum stroke_kind { STROKE_BRANCH, STROKE_LEAF, STROKE_TENDRIL, STROKE_NEEDLE, ST
 
 struct stroke_point {
     float x, y, radius; /* pixels of the picture; centres of pixels are whole */
+    float birth;        /* as of the structure's nodes */
 };
 
 struct stroke {
@@ -25,16 +26,19 @@ struct strokes {
     int32_t point_count, point_room;
     struct stroke *strokes;
     int32_t count, room;
+    float pace; /* births are later by so much for each pixel of what grows on branches; 0: all at once */
 };
 
 extern const char *const stroke_names[STROKE_KINDS + 1]; /* "branch", ...; ends with NULL */
 
 /* All zero is empty. The functions below return false when memory is short. */
 void strokes_finish(struct strokes *strokes); /* takes zeroed */
+/* Takes all away and keeps the memory. */
+void strokes_empty(struct strokes *strokes);
 
 /* A stroke, its points to follow by strokes_point. */
 bool strokes_begin(struct strokes *strokes, enum stroke_kind kind, int layer, int level, float reach, float tone);
-bool strokes_point(struct strokes *strokes, float x, float y, float radius);
+bool strokes_point(struct strokes *strokes, float x, float y, float radius, float birth);
 
 /* Every branch of a structure, from its junction on. */
 bool strokes_branches(struct strokes *strokes, const struct dendrite *dendrite, int layer);

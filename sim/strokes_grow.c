@@ -26,17 +26,18 @@ static bool add_leaf(struct strokes *strokes, const struct dendrite_node *node, 
                      float tone)
 {
     enum { STALK = 2, BLADE = 9 };
-    float x = node->x, y = node->y, bend = (tone - 0.5f) * 0.16f;
+    float x = node->x, y = node->y, birth = node->birth, bend = (tone - 0.5f) * 0.16f;
     if (!strokes_begin(strokes, STROKE_LEAF, layer, node->level, node->reach, tone)) {
         return false;
     }
     for (int i = 0; i <= STALK + BLADE; i++) {
         float along = (float)(i - STALK) / BLADE;
         float wide = i < STALK ? 0.04f : 0.24f * powf(sinf(PI * powf(along, 0.72f)), 0.85f) + 0.012f;
-        if (!strokes_point(strokes, x, y, size * wide)) {
+        if (!strokes_point(strokes, x, y, size * wide, birth)) {
             return false;
         }
         float step = size / (STALK + BLADE);
+        birth += step * strokes->pace;
         x += step * cosf(angle);
         y += step * sinf(angle);
         angle += bend;
@@ -84,15 +85,17 @@ bool strokes_tendrils(struct strokes *strokes, const struct dendrite *dendrite, 
         }
         float angle = heading(dendrite, branch, i), turn = chance(node, 7, seed) < 0.5f ? -1 : 1;
         float own = size * (0.6f + 0.8f * chance(node, 8, seed)), x = node->x, y = node->y;
+        float birth = node->birth;
         if (!strokes_begin(strokes, STROKE_TENDRIL, layer, node->level, node->reach, chance(node, 9, seed))) {
             return false;
         }
         for (int k = 0; k < POINTS; k++) {
             float along = (float)k / POINTS, thin = node->radius * 0.8f * (1 - 0.6f * along);
-            if (!strokes_point(strokes, x, y, thin > 0.22f ? thin : 0.22f)) {
+            if (!strokes_point(strokes, x, y, thin > 0.22f ? thin : 0.22f, birth)) {
                 return false;
             }
             float step = own * 0.13f * (1 - 0.72f * along);
+            birth += step * strokes->pace;
             x += step * cosf(angle);
             y += step * sinf(angle);
             angle += turn * (0.02f + 0.52f * along);
@@ -104,10 +107,14 @@ bool strokes_tendrils(struct strokes *strokes, const struct dendrite *dendrite, 
 static bool add_needle(struct strokes *strokes, const struct dendrite_node *node, float angle, float size, int layer,
                        float tone)
 {
-    return strokes_begin(strokes, STROKE_NEEDLE, layer, node->level, node->reach, tone) &&
-           strokes_point(strokes, node->x, node->y, 0.32f) &&
-           strokes_point(strokes, node->x + 0.6f * size * cosf(angle), node->y + 0.6f * size * sinf(angle), 0.25f) &&
-           strokes_point(strokes, node->x + size * cosf(angle), node->y + size * sinf(angle), 0.12f);
+    static const float ALONG[] = {0, 0.6f, 1}, RADIUS[] = {0.32f, 0.25f, 0.12f};
+    bool good = strokes_begin(strokes, STROKE_NEEDLE, layer, node->level, node->reach, tone);
+    for (int i = 0; i < 3 && good; i++) {
+        float far = ALONG[i] * size;
+        good = strokes_point(strokes, node->x + far * cosf(angle), node->y + far * sinf(angle), RADIUS[i],
+                             node->birth + far * strokes->pace);
+    }
+    return good;
 }
 
 bool strokes_needles(struct strokes *strokes, const struct dendrite *dendrite, int layer, float size, uint32_t seed)

@@ -15,13 +15,16 @@ static const char HELP[] =
     "or two; leave the machine alone meanwhile.\n\n"
     "      --json  {\"bench\": NAME, \"figures\": [{\"name\", \"value\", \"unit\"}]}, one a line\n"
     "      --help  this\n\n"
-    "Benches: painting, gpu, trees, chemistry\n";
+    "Benches: painting, gpu, trees, growth, chemistry\n";
 
 static const struct {
     const char *name;
     bool (*run)(struct bench *bench);
-} BENCHES[] = {
-    {"painting", bench_painting}, {"gpu", bench_graphics}, {"trees", bench_trees}, {"chemistry", bench_chemistry}};
+} BENCHES[] = {{"painting", bench_painting},
+               {"gpu", bench_graphics},
+               {"trees", bench_trees},
+               {"growth", bench_growth},
+               {"chemistry", bench_chemistry}};
 
 static void print_json(const struct bench *bench)
 {

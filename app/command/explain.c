@@ -9,6 +9,7 @@
 #include "ink.h"
 #include "inputs.h"
 #include "script.h"
+#include "script_structure.h"
 #include "script_value.h"
 #include "vision.h"
 
@@ -189,6 +190,7 @@ static void explain_tables(struct explaining *explaining, const struct inputs_ta
 
 bool explain(const char *asked, FILE *out)
 {
+    struct key trees[EXHIBIT_TREES_KEYS];
     struct explaining explaining = {.asked = asked, .out = out};
     explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
     explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
@@ -198,7 +200,12 @@ bool explain(const char *asked, FILE *out)
         enum action_verb verb = (enum action_verb)i;
         explain_keys(&explaining, action_name(verb), action_meaning(verb), action_keys(verb));
     }
+    struct key structure[SCRIPT_STRUCTURE_KEYS];
+    script_structure_keys(structure);
+    explain_keys(&explaining, "structure", "What grows over a picture, wherever a verb takes a picture.", structure);
     explain_tables(&explaining, exhibit_tables);
+    exhibit_trees_keys(trees);
+    explain_keys(&explaining, "trees", "How they grow in a scene of trees; defaults are those of ink.", trees);
     explain_tables(&explaining, inputs_tables);
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);

@@ -19,6 +19,7 @@
 #include <stddef.h>
 
 #include "engine_choice.h"
+#include "growth.h"
 #include "inputs.h"
 #include "report.h"
 #include "script.h"
@@ -52,11 +53,20 @@ struct exhibit_sheet {
     int rate; /* ticks a second */
 };
 
+enum scene_kind {
+    SCENE_PAINTING,
+    SCENE_TREES, /* a garden (garden.h) over a painting that sleeps */
+};
+
 /* A scene is what is painted: inks, coefficients, a ground from a picture. `script` is a session without actions, for
  * the studio and the picture; its canvas is sheet.cells at 16:10 until script_fit gives it the shape of the screen. */
 struct exhibit_scene {
     const char *id;
     struct words title;
+    int kind;                 /* enum scene_kind */
+    struct growth_def growth; /* of SCENE_TREES, as at first: the preset of its metaphor, and what the file gives */
+    const char *picture;      /* of SCENE_TREES: the first picture it grows over (path relative to the exhibit), and the
+                                 only one where there is no folder `pictures`; NULL: the first of the folder */
     struct script *script;
     const char *guide;     /* a picture (path relative to the exhibit) whose edges growth follows; NULL: none */
     const char *mask;      /* a picture whose dark parts stay free; NULL: none */
@@ -71,15 +81,29 @@ enum exhibit_tool { /* what a finger on the sheet does; the order on the palette
                     TOOL_POUR,
                     TOOL_MASK,
                     TOOL_REWIND, /* the time brush */
+                    TOOL_PLANT,  /* this and those below are for scenes of trees */
+                    TOOL_TEND,   /* what is under the finger is more important */
+                    TOOL_THIN,   /* less important */
                     TOOLS,
 };
 
 extern const char *const exhibit_tool_names[]; /* "drop", "brush", ...; ends with NULL */
 
+/* The tool that every scene of a kind has, the first of its tools. */
+static inline enum exhibit_tool tool_first(int kind)
+{
+    return kind == SCENE_TREES ? TOOL_PLANT : TOOL_DROP;
+}
+
+static inline bool tool_fits(int tool, int kind)
+{
+    return tool >= 0 && tool < TOOLS && (tool >= TOOL_PLANT) == (kind == SCENE_TREES);
+}
+
 enum exhibit_side { SIDE_OF_LEFT, SIDE_OF_RIGHT, SIDE_OF_BOTTOM, SIDE_OF_NONE };
 
 struct exhibit_palette { /* the heads-up one, not that of inks */
-    bool tools[TOOLS];   /* which are offered; drop always is */
+    bool tools[TOOLS];   /* which are offered; drop and plant always are */
     bool undo, finish;   /* undo: with redo */
     bool hand;           /* a button that moves it to the other side, for the other hand */
     bool seated;         /* a button that makes the reach-limited zone */
@@ -181,6 +205,11 @@ struct exhibit *exhibit_parse(const char *text, size_t size, const char *folder,
 void exhibit_destroy(struct exhibit *exhibit); /* takes NULL */
 /* Whether a text means to be an exhibit: its top has the key `exhibit`. */
 bool exhibit_is(const char *text, size_t size);
+
+/* The keys of `trees` in a scene, over struct exhibit_scene: its own, and those of growth_keys that are one value.
+ * Written to `keys`, the last one without a name. */
+enum { EXHIBIT_TREES_KEYS = 60 };
+void exhibit_trees_keys(struct key keys[EXHIBIT_TREES_KEYS]);
 
 /* The names of the pictures in the folder `pictures` now, sorted, EXHIBIT_PICTURES of them at most; their paths are
  * relative to exhibit->folder. None when it has no such folder, or it cannot be read. */

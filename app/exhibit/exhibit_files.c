@@ -215,11 +215,27 @@ void exhibit_pictures_finish(struct exhibit_pictures *pictures)
     *pictures = (struct exhibit_pictures){0};
 }
 
-static void check_picture(struct reader *reader, const struct yaml_node *at, const char *path)
+bool exhibit_is_bare(const struct exhibit *exhibit)
+{
+    char error[300];
+    DIR *list = exhibit->pictures ? open_folder(exhibit->folder, exhibit->pictures, error, sizeof error) : NULL;
+    if (!list) {
+        return !exhibit->pictures;
+    }
+    struct exhibit_pictures pictures = list_pictures(list, exhibit->pictures);
+    bool bare = pictures.count == 0;
+    exhibit_pictures_finish(&pictures);
+    closedir(list);
+    return bare;
+}
+
+void exhibit_check_picture(struct reader *reader, const struct yaml_node *at, const char *path)
 {
     char error[300] = "";
     struct script_picture picture = {0};
-    if (!reader->def->load(reader->def->data, reader->folder, path, &picture, error, sizeof error)) {
+    if (!reader->def->load) {
+        reader_problem(reader, at, "pictures cannot be read here");
+    } else if (!reader->def->load(reader->def->data, reader->folder, path, &picture, error, sizeof error)) {
         reader_problem(reader, at, "%s", error);
     }
     free(picture.values);
@@ -239,7 +255,7 @@ static void check_pictures(struct reader *reader, const struct yaml_node *at, co
                        EXHIBIT_PICTURES);
     }
     for (int i = 0; i < pictures.count && !pictures.more && reader->def->every_picture && reader->def->load; i++) {
-        check_picture(reader, at, pictures.paths[i]);
+        exhibit_check_picture(reader, at, pictures.paths[i]);
     }
     exhibit_pictures_finish(&pictures);
     closedir(list);

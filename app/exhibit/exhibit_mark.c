@@ -61,6 +61,7 @@ uint64_t exhibit_mark(const char *path, const struct exhibit *exhibit)
     for (int i = 0; i < exhibit->scene_count; i++) {
         const struct exhibit_scene *scene = &exhibit->scenes[i];
         mark = scene->guide ? mark_file(mark, folder, scene->guide) : mark;
+        mark = scene->picture ? mark_file(mark, folder, scene->picture) : mark;
         mark = scene->mask ? mark_file(mark, folder, scene->mask) : mark;
     }
     close(folder);

@@ -20,7 +20,7 @@ void exhibit_read_palette(struct reader *reader, const struct yaml_node *root, s
     struct exhibit_palette *palette = &exhibit->palette;
     const struct yaml_node *node = exhibit_mapping(reader, root, "palette", hud_keys, palette);
     const struct yaml_node *tools = node ? yaml_get(node, "tools") : NULL;
-    palette->tools[TOOL_DROP] = true;
+    palette->tools[TOOL_DROP] = palette->tools[TOOL_PLANT] = true;
     if (tools && !yaml_is_nothing(tools)) {
         size_t length = reader_enter(reader, "palette");
         inputs_list(reader, node, "tools", TOOLS, "a list of tools: [drop, brush]", read_tool, palette);
@@ -37,6 +37,9 @@ void exhibit_same_ink(struct reader *reader, const struct yaml_node *at, const s
     const struct script *first = exhibit->scenes[0].script;
     for (int i = 1; i < exhibit->scene_count; i++) {
         const struct script *script = exhibit->scenes[i].script;
+        if (exhibit->scenes[i].kind == SCENE_TREES) {
+            continue;
+        }
         if (ink >= script->ink_count || script->inks[ink] != first->inks[ink]) {
             reader_problem(reader, at,
                            "%s is not ink %d of the scene '%s'; an ink that every scene has in the same "

@@ -12,6 +12,7 @@ enum {
     EXHIBIT_TAPS_MIN = 3,
     TEXT_BYTES = 300, /* of one text in one language */
     EXHIBIT_PATH_BYTES = 200,
+    EXHIBIT_STRUCTURES = 4, /* of a scene */
 };
 
 /* A palette of the exhibit's own: needed while its scenes are read. */
@@ -20,21 +21,22 @@ struct exhibit_inks {
     int inks[PAINTING_INKS], count;
 };
 
-extern const struct key exhibit_keys[];  /* over struct exhibit; lists and mappings have the unit "section" */
-extern const struct key display_keys[];  /* over struct exhibit_display */
-extern const struct key sheet_keys[];    /* over struct exhibit_sheet */
-extern const struct key palettes_keys[]; /* over struct exhibit_inks */
-extern const struct key scene_keys[];    /* over struct exhibit_scene; `mode` over struct script */
-extern const struct key hud_keys[];      /* over struct exhibit_palette */
-extern const struct key seat_keys[];     /* over struct exhibit_seat */
-extern const struct key visit_keys[];    /* over struct exhibit_visit */
-extern const struct key access_keys[];   /* over struct exhibit_access */
-extern const struct key schedule_keys[]; /* over struct exhibit_hours */
-extern const struct key gallery_keys[];  /* over struct exhibit_gallery */
-extern const struct key staff_keys[];    /* over struct exhibit_staff */
-extern const struct key mqtt_keys[];     /* over struct exhibit_mqtt */
-extern const struct key text_keys[];     /* by enum exhibit_text; over struct words, a language at a time */
-extern const char *const corner_names[]; /* these two end with NULL */
+extern const struct key exhibit_keys[];         /* over struct exhibit; lists and mappings have the unit "section" */
+extern const struct key display_keys[];         /* over struct exhibit_display */
+extern const struct key sheet_keys[];           /* over struct exhibit_sheet */
+extern const struct key palettes_keys[];        /* over struct exhibit_inks */
+extern const struct key scene_keys[];           /* over struct exhibit_scene; `mode` over struct script */
+extern const struct key scene_structure_keys[]; /* beside those of a script's structure, over what is theirs alone */
+extern const struct key hud_keys[];             /* over struct exhibit_palette */
+extern const struct key seat_keys[];            /* over struct exhibit_seat */
+extern const struct key visit_keys[];           /* over struct exhibit_visit */
+extern const struct key access_keys[];          /* over struct exhibit_access */
+extern const struct key schedule_keys[];        /* over struct exhibit_hours */
+extern const struct key gallery_keys[];         /* over struct exhibit_gallery */
+extern const struct key staff_keys[];           /* over struct exhibit_staff */
+extern const struct key mqtt_keys[];            /* over struct exhibit_mqtt */
+extern const struct key text_keys[];            /* by enum exhibit_text; over struct words, a language at a time */
+extern const char *const corner_names[];        /* these two end with NULL */
 extern const char *const day_names[];
 
 /* Defaults of all values that are no sections, over `object`. */
@@ -55,7 +57,16 @@ void exhibit_read_words(struct reader *reader, const struct yaml_node *root, con
 void exhibit_read_texts(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 /* After languages and sheet. */
 void exhibit_read_scenes(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
+/* `trees` of a scene that has been read as far as its kind. */
+void exhibit_read_trees(struct reader *reader, const struct yaml_node *item, const struct exhibit *exhibit,
+                        struct exhibit_scene *scene);
+/* `structures` of a scene that has been read as far as its coefficients. */
+void exhibit_read_structures(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
 void exhibit_read_files(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
+/* A picture can be read; if not, that is reported. */
+void exhibit_check_picture(struct reader *reader, const struct yaml_node *at, const char *path);
+/* Whether the folder `pictures` can be read and holds none. */
+bool exhibit_is_bare(const struct exhibit *exhibit);
 void exhibit_read_palette(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 void exhibit_read_hours(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 void exhibit_read_staff(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);

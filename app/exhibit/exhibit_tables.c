@@ -7,9 +7,11 @@ enum { ID_BYTES = 40, TOPIC_BYTES = 100 };
 
 static const char *const ENGINES[] = {"auto", "cpu", "gpu", NULL};
 static const char *const TURNS[] = {"0", "90", "180", "270", NULL};
+static const char *const KINDS[] = {"painting", "trees", NULL};
 static const char *const SIDES[] = {"left", "right", "bottom", "none", NULL};
 
-const char *const exhibit_tool_names[] = {"drop", "brush", "guide", "pour", "mask", "rewind", NULL};
+const char *const exhibit_tool_names[] = {"drop",   "brush", "guide", "pour", "mask",
+                                          "rewind", "plant", "tend",  "thin", NULL};
 const char *const corner_names[] = {"top left", "top right", "bottom right", "bottom left", NULL};
 const char *const day_names[] = {"mon", "tue", "wed", "thu", "fri", "sat", "sun", NULL};
 
@@ -71,7 +73,8 @@ const struct key exhibit_keys[] = {
     SECTION("scenes", "A list of what is painted, one scene after the other; a single one with every default if left "
                       "out."),
     TEXT("pictures", EXHIBIT, pictures, "the path of a folder", EXHIBIT_PATH_BYTES, false,
-         "A folder of pictures along whose edges every second painting grows that the sheet paints by itself."),
+         "A folder of pictures: scenes of trees grow over them, and along their edges every second painting that the "
+         "sheet paints by itself."),
     SECTION("sessions", "A list of recorded sessions, by their paths, that are painted while nobody else paints."),
     SECTION("palette", "The buttons at the edge of the sheet."),
     SECTION("seats", "A list of places for visitors side by side; one place for all if left out."),
@@ -127,6 +130,9 @@ const struct key palettes_keys[] = {
 const struct key scene_keys[] = {
     TEXT("id", SCENE, id, "a word", ID_BYTES, true, "What the staff's view and the log call the scene."),
     SECTION("title", "What visitors call it, by language: {en: ..., fr: ...}."),
+    CHOICE("kind", SCENE, kind, KINDS, SCENE_PAINTING,
+           "What it is: ink on a wet sheet, or trees and dendrites that grow over pictures."),
+    SECTION("trees", "How they grow in a scene of trees, as `frond grow` does it, and over which picture first."),
     SECTION("inks", "A list of one to four inks, by name."),
     SECTION("palette", "Four inks at once, by the id of a palette of the exhibit's own or the name of a shipped one, "
                        "instead of inks; the first shipped one if both are left out."),
@@ -137,13 +143,16 @@ const struct key scene_keys[] = {
          "A picture along whose edges everything grows, beside this file."),
     TEXT("mask", SCENE, mask, "the path of a picture", EXHIBIT_PATH_BYTES, false,
          "A picture whose dark parts stay free, beside this file."),
+    SECTION("structures", "A list of what `frond grow` grows over pictures, for the painting to grow along: at most "
+                          "four, with the options of trees."),
     END,
 };
 
 #define HUD struct exhibit_palette
 const struct key hud_keys[] = {
-    SECTION("tools", "A list of what a finger may do, of drop, brush, guide, pour, mask, rewind; all if left out, and "
-                     "drop always."),
+    SECTION("tools",
+            "A list of what a finger may do, of drop, brush, guide, pour, mask, rewind, and in scenes of trees "
+            "plant, tend, thin; all if left out, and drop and plant always."),
     FLAG("undo", HUD, undo, 1, "Whether there are buttons that take back, and bring back, what a visitor did last."),
     FLAG("finish", HUD, finish, 1, "Whether there is a button for a picture that is finished."),
     FLAG("hand", HUD, hand, 1,
@@ -252,6 +261,11 @@ const struct key text_keys[TEXTS + 1] = {
     [TEXT_POUR] = WORDS("pour", "On the button for pouring."),
     [TEXT_MASK] = WORDS("mask", "On the button for places that stay free."),
     [TEXT_REWIND] = WORDS("rewind", "On the button for the time brush."),
+    [TEXT_PLANT] = WORDS("plant", "On the button for planting, in scenes of trees."),
+    [TEXT_TEND] = WORDS("tend", "On the button that makes a place of the picture more important."),
+    [TEXT_THIN] = WORDS("thin", "On the button that makes a place less important."),
+    [TEXT_PICTURE] = WORDS("picture", "On the button for the next picture."),
+    [TEXT_METAPHOR] = WORDS("metaphor", "On the button for what grows: ink, vines, frost."),
     [TEXT_UNDO] = WORDS("undo", "On the button that takes back what was done last."),
     [TEXT_REDO] = WORDS("redo", "On the button that brings it back."),
     [TEXT_FINISH] = WORDS("finish", "On the button for a finished picture."),
@@ -272,6 +286,7 @@ const struct inputs_table exhibit_tables[] = {
     {"texts", "What visitors read, each by language.", text_keys},
     {"palettes", "A palette of an exhibit's own.", palettes_keys},
     {"scenes", "A scene: inks, coefficients, and pictures that growth keeps to.", scene_keys},
+    {"structures", "What grows over a picture, for a scene of ink.", scene_structure_keys},
     {"palette", "The buttons at the edge of the sheet.", hud_keys},
     {"seats", "A visitor's place.", seat_keys},
     {"visit", "How long everything takes.", visit_keys},

@@ -96,7 +96,7 @@ static void feel_control(struct controls *controls, const struct event *event)
 /* What the fingers' strokes have gathered is painted. */
 static void flush(struct controls *controls, int finger)
 {
-    struct stroke *stroke = &controls->strokes[finger];
+    struct hand_stroke *stroke = &controls->strokes[finger];
     if (!stroke_grew(stroke)) {
         return;
     }
@@ -151,6 +151,9 @@ static void feel_gesture(void *user, const struct gesture *gesture)
     struct feeling *feeling = user;
     struct controls *controls = feeling->controls;
     int finger = gesture->finger;
+    if (gesture->kind == GESTURE_DOWN || gesture->kind == GESTURE_UP || gesture->kind == GESTURE_CANCEL) {
+        controls_lift(controls, finger, gesture->time_us);
+    }
     switch (gesture->kind) {
     case GESTURE_DOWN:
         controls_keep_near(controls, finger, gesture->at);
@@ -237,6 +240,7 @@ void controls_run(struct controls *controls, uint64_t now_us)
     for (int i = 0; i < GESTURE_FINGERS; i++) {
         flush(controls, i);
     }
+    controls_run_holds(controls, now_us);
     controls_run_values(controls, now_us);
 }
 
@@ -253,6 +257,8 @@ int controls_timeout_ms(const struct controls *controls, uint64_t now_us)
         uint64_t press = contact->used ? press_due_us(&contact->press, &def) : PRESS_NEVER;
         due = press < due ? press : due;
     }
+    uint64_t hold = controls_hold_due_us(controls);
+    due = hold < due ? hold : due;
     if (controls->count > 0 || controls->wish_count > 0) {
         return 0;
     }
@@ -295,6 +301,13 @@ void controls_reset(struct controls *controls)
     for (int i = 0; i < GESTURE_FINGERS; i++) {
         stroke_start(&controls->strokes[i], controls->gestures.finger[i].at);
     }
+}
+
+void controls_growth(struct controls *controls, const struct growth_def *growth)
+{
+    controls->trees = growth;
+    controls->growth = growth ? *growth : growth_preset(METAPHOR_INK, false);
+    controls_reset_shapes(controls);
 }
 
 void controls_scene(struct controls *controls, int inks, const struct coefficients *coefficients)

@@ -137,7 +137,11 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         controls_nudge(controls, index, cause);
         return;
     }
-    struct queued *queued = push(controls, cause->time_us);
+    if (binding->action.verb == ACTION_HOLD && controls->trees && cause->finger != NOBODY && cause->finger != TAPPER) {
+        controls_hold(controls, index, cause);
+        return;
+    }
+    struct queued *queued = controls_suits(controls, binding) ? push(controls, cause->time_us) : NULL;
     if (!queued) {
         return;
     }
@@ -156,12 +160,13 @@ static bool taps(const struct binding *binding, enum exhibit_tool tool)
 {
     bool at_once = binding->when == PRESS_DOWN || binding->when == PRESS_UP || binding->when == PRESS_SHORT;
     bool press = binding_touches(binding, TOUCH_PRESS, tool) || binding_touches(binding, TOUCH_TAP, tool);
-    return binding->what == DO_VERB && press && at_once;
+    return binding->what == DO_VERB && press && at_once && binding->action.verb != ACTION_HOLD;
 }
 
 static bool drags(const struct binding *binding, enum exhibit_tool tool)
 {
-    return binding->what == DO_VERB && binding_touches(binding, TOUCH_DRAG, tool);
+    return binding->what == DO_VERB && binding->action.verb != ACTION_HOLD &&
+           binding_touches(binding, TOUCH_DRAG, tool);
 }
 
 static int fire_all(struct controls *controls, bool (*wanted)(const struct binding *binding, enum exhibit_tool tool),
@@ -169,7 +174,8 @@ static int fire_all(struct controls *controls, bool (*wanted)(const struct bindi
 {
     int fired = 0;
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
-        if (wanted(controls_binding(controls, i), controls->finger_tool[TAPPER])) {
+        const struct binding *binding = controls_binding(controls, i);
+        if (controls_suits(controls, binding) && wanted(binding, controls->finger_tool[TAPPER])) {
             controls_fire(controls, i, cause);
             fired++;
         }
@@ -181,7 +187,7 @@ static void drop_anyway(struct controls *controls, const struct cause *cause)
 {
     struct queued *queued = push(controls, cause->time_us);
     if (queued) {
-        queued->action = action_default(ACTION_DROP);
+        queued->action = action_default(controls->trees ? ACTION_PLANT : ACTION_DROP);
         queued->action.visitor = controls_visitor_of(controls, cause);
         queued->action.ink = controls_ink_of(controls, cause) % controls->def.inks;
         queued->action.at = cause->at;
@@ -196,7 +202,7 @@ void controls_tap(struct controls *controls, int visitor, struct point at, uint6
     bool controller = owner >= 0 && owner < OWNERS && controls->owners[owner].ink >= 0;
     struct cause cause = {
         .finger = controller ? NOBODY : TAPPER, .owner = controller ? owner : NOBODY, .at = at, .time_us = time_us};
-    struct stroke dab = {.points = {at, at}, .count = 2, .time_us = time_us};
+    struct hand_stroke dab = {.points = {at, at}, .count = 2, .time_us = time_us};
     dab.points[at.x < 0.5f ? 1 : 0].x += at.x < 0.5f ? GESTURE_STEP : -GESTURE_STEP; /* rightwards, on the sheet */
     int seat = controls_seat_at(controls, at);
     if (controller) {
@@ -211,6 +217,30 @@ void controls_tap(struct controls *controls, int visitor, struct point at, uint6
     if (fire_all(controls, drags, &cause) == 0) {
         drop_anyway(controls, &cause);
     }
+}
+
+bool controls_push_shape(struct controls *controls, int growth, float value, uint64_t time_us)
+{
+    struct queued *queued = push(controls, time_us);
+    if (queued) {
+        queued->action = action_default(ACTION_SHAPE);
+        queued->action.growth = growth;
+        queued->action.value = value;
+    }
+    return queued;
+}
+
+bool controls_push_hold(struct controls *controls, int hand, const struct action *bound, const struct point *at,
+                        uint64_t time_us)
+{
+    struct queued *queued = push(controls, time_us);
+    if (queued) {
+        queued->action = *bound;
+        queued->action.visitor = hand;
+        queued->action.has_at = at;
+        queued->action.at = at ? *at : (struct point){0, 0};
+    }
+    return queued;
 }
 
 void controls_push_set(struct controls *controls, int coefficient, float value, uint64_t time_us)

@@ -56,12 +56,24 @@ static struct cause cause_of(struct controls *controls, const struct contact *co
     return cause;
 }
 
-/* What is down is forgotten; a switch comes up. */
+/* A controller's hand goes. */
+static void lift(struct controls *controls, struct contact *contact, uint64_t time_us)
+{
+    struct cause cause = cause_of(controls, contact, time_us);
+    const struct binding *binding = controls_binding(controls, contact->binding);
+    contact->holds =
+        !controls_push_hold(controls, controls_visitor_of(controls, &cause), &binding->action, NULL, time_us);
+}
+
+/* What is down is forgotten; a switch comes up, a hand is lifted. */
 static void drop(struct controls *controls, struct contact *contact, uint64_t time_us)
 {
     if (contact->owes) {
         struct cause cause = cause_of(controls, contact, time_us);
         controls_push_switch_end(controls, &cause);
+    }
+    if (contact->holds) {
+        lift(controls, contact, time_us);
     }
     contact->used = false;
 }
@@ -78,6 +90,14 @@ static void feel_switch(struct controls *controls, struct contact *contact, bool
     }
 }
 
+/* What it is pressed for is a hand that lies there until it is let go; those of fingers are in controls_hold.c. */
+static bool holds(const struct controls *controls, const struct contact *contact)
+{
+    const struct binding *binding = controls_binding(controls, contact->binding);
+    return controls->trees && binding->what == DO_VERB && binding->action.verb == ACTION_HOLD &&
+           contact->finger == NOBODY && contact->press.down;
+}
+
 static void feel(struct controls *controls, struct contact *contact, bool down, uint64_t time_us)
 {
     const struct binding *binding = controls_binding(controls, contact->binding);
@@ -90,7 +110,11 @@ static void feel(struct controls *controls, struct contact *contact, bool down, 
         }
         if (fires) {
             controls_fire(controls, contact->binding, &cause);
+            contact->holds = down && holds(controls, contact);
         }
+    }
+    if (!down && contact->holds) {
+        lift(controls, contact, time_us);
     }
     contact->used = !press_is_idle(&contact->press);
 }
@@ -203,6 +227,7 @@ void controls_run_presses(struct controls *controls, uint64_t now_us)
         if (press_run(&contact->press, &def, now_us)) {
             struct cause cause = cause_of(controls, contact, now_us);
             controls_fire(controls, contact->binding, &cause);
+            contact->holds = holds(controls, contact);
         }
         draw(controls, contact);
         contact->used = !press_is_idle(&contact->press);

@@ -1,6 +1,6 @@
 /* The inside of the controls: controls.c hears events, controls_visitor.c knows whose they are, controls_press.c what
- * is held down, controls_value.c where axes and cursors stand, controls_fire.c makes actions and wishes. Private to
- * them. */
+ * is held down, controls_hold.c whose hands lie on the sheet, controls_value.c where axes and cursors stand,
+ * controls_fire.c makes actions and wishes. Private to them. */
 #ifndef FROND_CONTROLS_STATE_H
 #define FROND_CONTROLS_STATE_H
 
@@ -41,8 +41,18 @@ struct contact {
     int index;
     bool spent; /* of a visit that is over: nothing comes of it but the end of a switch */
     bool owes;  /* a switch whose end is still to be told */
+    bool holds; /* a hand of a controller that is to be lifted */
     struct press press;
-    struct stroke stroke; /* of the cursor since it is down, for verbs with a path */
+    struct hand_stroke stroke; /* of the cursor since it is down, for verbs with a path */
+};
+
+/* A finger that growth goes round. */
+struct hold {
+    bool down;
+    bool told; /* that it is there, and not yet that it has gone */
+    int binding;
+    struct point at, there; /* now; as it was told last */
+    uint64_t time_us, told_us;
 };
 
 struct known { /* which entries of the file a device is: a bit each */
@@ -64,7 +74,7 @@ struct queued {
 struct cause {
     int finger, owner; /* one of them is NOBODY */
     struct point at;
-    const struct stroke *stroke; /* NULL: a point */
+    const struct hand_stroke *stroke; /* NULL: a point */
     bool down;
     uint64_t time_us, length_us;
 };
@@ -77,14 +87,20 @@ struct controls {
     int seat_count;
     int finger_seat[GESTURE_FINGERS + 1], finger_ink[GESTURE_FINGERS + 1];
     enum exhibit_tool finger_tool[GESTURE_FINGERS + 1];
-    struct stroke strokes[GESTURE_FINGERS];
+    struct hand_stroke strokes[GESTURE_FINGERS];
+    struct hold holds[GESTURE_FINGERS];
     bool paired[GESTURE_FINGERS]; /* the stroke is that of two fingers */
     int next_ink, shared_ink;
+    bool trees;               /* the scene is one of trees, */
+    struct growth_def growth; /* which grows so */
     struct owner owners[OWNERS];
     struct contact contacts[CONTACTS];
     struct known known[KNOWN];
     struct axis axes[INPUTS_BINDINGS];      /* of bindings that turn something */
     uint64_t axis_time_us[INPUTS_BINDINGS]; /* of the event behind it; 0: told */
+    bool shapes[INPUTS_BINDINGS];           /* of growth: it has another value that is still to be told */
+    float shaped[INPUTS_BINDINGS];          /* as it was told last */
+    uint64_t shaped_us[INPUTS_BINDINGS];    /* then; 0: not yet */
     float rest[INPUTS_BINDINGS];            /* of steps that are not whole yet */
     struct cause moved[INPUTS_BINDINGS];    /* verbs that follow an axis: done once a period */
     bool has_moved[INPUTS_BINDINGS];
@@ -131,11 +147,34 @@ struct cause controls_cause(const struct controls *controls, int finger, int own
 
 /* controls_fire.c: the action of the binding `index` happens. */
 void controls_fire(struct controls *controls, int index, const struct cause *cause);
+/* Growth's value at this time. False: there is no room for it. */
+bool controls_push_shape(struct controls *controls, int growth, float value, uint64_t time_us);
+/* A hand by its number, as `bound` is, at a place; lifted without one. */
+bool controls_push_hold(struct controls *controls, int hand, const struct action *bound, const struct point *at,
+                        uint64_t time_us);
 void controls_push_set(struct controls *controls, int coefficient, float value, uint64_t time_us);
 /* A switch goes down. False: there is no room to tell it. */
 bool controls_push_switch(struct controls *controls, const struct cause *cause);
 /* It comes up, once for each that went down. */
 void controls_push_switch_end(struct controls *controls, const struct cause *cause);
+
+/* Whether a binding is for this kind of scene. */
+static inline bool controls_suits(const struct controls *controls, const struct binding *binding)
+{
+    if (binding->what == DO_TURN) {
+        return controls->trees == (binding->growth >= 0);
+    }
+    enum action_verb verb = binding->action.verb;
+    return binding->what != DO_VERB || verb == ACTION_CLEAR || verb == ACTION_RINSE ||
+           controls->trees == (verb >= ACTION_STOCK);
+}
+
+/* controls_hold.c: the finger of a cause stays or goes, by a binding of ACTION_HOLD; it has gone. */
+void controls_hold(struct controls *controls, int binding, const struct cause *cause);
+void controls_lift(struct controls *controls, int finger, uint64_t time_us);
+void controls_run_holds(struct controls *controls, uint64_t now_us);
+/* When that has something to do; PRESS_NEVER: not without an event. */
+uint64_t controls_hold_due_us(const struct controls *controls);
 
 /* controls_press.c */
 void controls_press(struct controls *controls, int binding, int finger, const struct event *event, bool down);
@@ -162,6 +201,8 @@ void controls_run_values(struct controls *controls, uint64_t now_us);
 void controls_run_cursors(struct controls *controls, uint64_t now_us);
 /* Axes and dials as at first. */
 void controls_reset_values(struct controls *controls);
+/* Those of scenes of trees alone. */
+void controls_reset_shapes(struct controls *controls);
 bool controls_values_move(const struct controls *controls);
 
 #endif

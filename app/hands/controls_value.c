@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "controls_state.h"
+#include "growth.h"
 #include "hid_usage.h"
 
 enum { BURST = 4 }; /* what a dial does at once, at most, however fast it is turned */
@@ -12,6 +13,11 @@ static const uint64_t PAUSE_US = 100000; /* a longer one is no motion */
 static float into(float value)
 {
     return value > 0 ? value < 1 ? value : 1 : 0; /* NaN becomes 0 */
+}
+
+static bool turns_growth(const struct binding *binding)
+{
+    return binding->what == DO_TURN && binding->growth >= 0;
 }
 
 static bool senses(const struct binding *binding, float value)
@@ -78,7 +84,8 @@ static void fire_steps(struct controls *controls, int index, float steps, const 
 void controls_move(struct controls *controls, int index, const struct event *event, const struct cause *cause)
 {
     const struct binding *binding = controls_binding(controls, index);
-    if (!isfinite(event->value) || (event->relative && !senses(binding, event->value))) {
+    if (!controls_suits(controls, binding) || !isfinite(event->value) ||
+        (event->relative && !senses(binding, event->value))) {
         return;
     }
     if (binding->what == DO_CURSOR) {
@@ -104,7 +111,7 @@ void controls_move_finger(struct controls *controls, int index, const struct ges
     bool pinch = gesture->kind == GESTURE_PINCH;
     float up = pinch ? gesture->value : gesture->from.y - gesture->at.y;
     cause.at = gesture->at;
-    if (!senses(binding, up)) {
+    if (!controls_suits(controls, binding) || !senses(binding, up)) {
         return;
     }
     if (binding->what == DO_CURSOR) {
@@ -127,6 +134,9 @@ void controls_nudge(struct controls *controls, int index, const struct cause *ca
 {
     const struct binding *binding = controls_binding(controls, index);
     float step = binding->way == WAY_DOWN || binding->way == WAY_LEFT ? -1.0f : 1.0f;
+    if (!controls_suits(controls, binding)) {
+        return;
+    }
     if (binding->what != DO_CURSOR) {
         axis_feel(&controls->axes[index], &binding->axis, step, true, false);
         controls->axis_time_us[index] = cause->time_us;
@@ -134,6 +144,30 @@ void controls_nudge(struct controls *controls, int index, const struct cause *ca
         step *= (binding->speed < 0 ? -1.0f : 1.0f) / binding->axis.steps;
         shift(&controls->owners[cause->owner], binding->across == 1 ? 0 : step, binding->across == 0 ? 0 : step,
               cause->time_us);
+    }
+}
+
+/* What grows is to have another value: whole numbers and choices change where they do, and all of them not too often.
+ */
+static void run_shape(struct controls *controls, int index, uint64_t now_us)
+{
+    const struct binding *binding = controls_binding(controls, index);
+    const struct key *key = &growth_keys[binding->growth];
+    float value = axis_value(&controls->axes[index], &binding->axis);
+    if (!controls->shapes[index] ||
+        (controls->shaped_us[index] && now_us < controls->shaped_us[index] + CONTROLS_SHAPE_US)) {
+        return;
+    }
+    value = key->type == KEY_NUMBER ? value : roundf(value);
+    bool other = fabsf(value - controls->shaped[index]) > 0;
+    if (other && !controls_push_shape(controls, binding->growth, value, controls->axis_time_us[index])) {
+        return;
+    }
+    controls->shapes[index] = false;
+    controls->axis_time_us[index] = 0;
+    if (other) {
+        controls->shaped[index] = value;
+        controls->shaped_us[index] = now_us;
     }
 }
 
@@ -146,7 +180,13 @@ void controls_run_values(struct controls *controls, uint64_t now_us)
             controls->has_moved[i] = false;
             controls_fire(controls, i, &controls->moved[i]);
         }
-        if (!turns || !axis_run(&controls->axes[i], &binding->axis, now_us)) {
+        bool told = turns && axis_run(&controls->axes[i], &binding->axis, now_us);
+        if (turns_growth(binding)) {
+            controls->shapes[i] = controls->shapes[i] || told;
+            run_shape(controls, i, now_us);
+            continue;
+        }
+        if (!told) {
             continue;
         }
         float value = axis_value(&controls->axes[i], &binding->axis);
@@ -190,17 +230,30 @@ static float initial_value(const struct controls_def *def, const struct binding 
     return key->type == KEY_NUMBER ? *(const float *)(const void *)at : (float)*(const int *)(const void *)at;
 }
 
+void controls_reset_shapes(struct controls *controls)
+{
+    for (int i = 0; i < controls->def.inputs->binding_count; i++) {
+        const struct binding *binding = controls_binding(controls, i);
+        if (turns_growth(binding)) {
+            controls->shaped[i] = growth_value(&controls->growth, binding->growth);
+            controls->axes[i] = axis_start(&binding->axis, controls->shaped[i]);
+            controls->shapes[i] = false;
+        }
+    }
+}
+
 void controls_reset_values(struct controls *controls)
 {
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
-        if (binding->what == DO_TURN || binding->what == DO_DIAL) {
+        if ((binding->what == DO_TURN && !turns_growth(binding)) || binding->what == DO_DIAL) {
             controls->axes[i] = axis_start(&binding->axis, initial_value(&controls->def, binding));
         }
         controls->axis_time_us[i] = 0;
         controls->rest[i] = 0;
         controls->has_moved[i] = false;
     }
+    controls_reset_shapes(controls);
     for (int i = 0; i < PARAMETERS; i++) {
         controls->has_drop[i] = false;
     }
@@ -211,7 +264,7 @@ bool controls_values_move(const struct controls *controls)
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         enum binding_do what = controls_binding(controls, i)->what;
         bool turns = what == DO_TURN || what == DO_DIAL;
-        if (controls->has_moved[i] || (turns && axis_moves(&controls->axes[i]))) {
+        if (controls->has_moved[i] || controls->shapes[i] || (turns && axis_moves(&controls->axes[i]))) {
             return true;
         }
     }

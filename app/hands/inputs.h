@@ -107,6 +107,8 @@ enum binding_do {
     DO_NEXT_TOOL,
     DO_NEXT_SCENE,
     DO_NEXT_LANGUAGE,
+    DO_NEXT_PICTURE,
+    DO_NEXT_METAPHOR,
     DO_SWITCH,
     DO_CURSOR,
     DO_TURN,
@@ -132,7 +134,8 @@ struct binding {
     struct action action; /* DO_VERB: ink -1: the visitor's; without a place: where it happens */
     int where;            /* WHERE_SHEET: the verb is for the whole sheet unless it names a place */
     struct axis_def axis; /* of DO_TURN, DO_DIAL, DO_CURSOR */
-    int coefficient;      /* DO_TURN */
+    int coefficient;      /* DO_TURN; -1: that of `growth` */
+    int growth;           /* DO_TURN, in growth_keys[], of scenes of trees; -1: the coefficient */
     int parameter;        /* DO_DIAL: of drops to come */
     int across;           /* DO_CURSOR: 0 x, 1 y, 2 both: a hat */
     float speed;          /* DO_CURSOR: sheets a second at full deflection */
@@ -174,7 +177,8 @@ struct inputs *inputs_parse(const char *text, size_t size, const char *folder, c
                             const struct script_def *def, struct report *report);
 void inputs_destroy(struct inputs *inputs); /* takes NULL */
 /* What counts where no file is given: fingers do what their tool is for, gamepads have a cursor, space mice and dials
- * turn coefficients. A file without any touch binding for a tool has those of the default for it. */
+ * turn coefficients, and in scenes of trees how they grow. A file without any touch binding for a tool has those of the
+ * default for it, and one that turns nothing of scenes of trees has the default dials for that. */
 const char *inputs_default_text(void);
 struct inputs *inputs_default(const struct script *session);
 /* Whether a text means to be an inputs file: its top has the key `inputs`. */

@@ -254,26 +254,6 @@ static void read_when(struct reader *reader, const struct yaml_node *item, struc
     }
 }
 
-static void check_range(struct reader *reader, const struct yaml_node *node, const char *name, const struct key *key)
-{
-    const struct yaml_node *value = yaml_get(node, name);
-    double number = 0;
-    size_t length = reader_enter(reader, name);
-    if (value) {
-        value_number(reader, key, value, &number);
-    }
-    reader_leave(reader, length);
-}
-
-/* The ends of a range lie in that of what they set. Both are numbers already: looked at only where nothing is wrong. */
-static void check_ends(struct reader *reader, const struct yaml_node *node, const struct key *of)
-{
-    struct key key = *of;
-    key.type = KEY_NUMBER; /* a whole coefficient may have ends between */
-    check_range(reader, node, "from", &key);
-    check_range(reader, node, "to", &key);
-}
-
 static const struct key *drop_key(int parameter)
 {
     static const char *const NAMES[PARAMETERS] = {"radius", "solvent", "amount"};
@@ -285,25 +265,6 @@ static int problems(const struct reader *reader)
     return reader->report->count + reader->report->dropped;
 }
 
-static void read_turn(struct reader *reader, const struct yaml_node *node, struct binding *binding)
-{
-    int before = problems(reader);
-    binding->what = DO_TURN;
-    key_defaults(turn_keys, binding);
-    mapping_read(reader, turn_keys, node, binding, NULL);
-    if (problems(reader) > before) {
-        return;
-    }
-    const struct key *key = &coefficient_keys[binding->coefficient];
-    if (key->type == KEY_CHOICE) {
-        size_t length = reader_enter(reader, "coefficient");
-        reader_problem(reader, yaml_get(node, "coefficient"), "%s is no number; set chooses it", key->name);
-        reader_leave(reader, length);
-        return;
-    }
-    check_ends(reader, node, key);
-}
-
 static void read_dial(struct reader *reader, const struct yaml_node *node, struct binding *binding)
 {
     int before = problems(reader);
@@ -311,7 +272,7 @@ static void read_dial(struct reader *reader, const struct yaml_node *node, struc
     key_defaults(dial_keys, binding);
     mapping_read(reader, dial_keys, node, binding, NULL);
     if (problems(reader) == before) {
-        check_ends(reader, node, drop_key(binding->parameter));
+        inputs_check_ends(reader, node, drop_key(binding->parameter));
     }
 }
 
@@ -347,7 +308,7 @@ static void read_what(struct reader *reader, const struct parts *parts, struct b
     } else if (node->kind != YAML_MAPPING) {
         inputs_wrong_kind(reader, node, "a mapping: {parameter: value, ...}, or {}");
     } else if (strcmp(parts->what_name, "turn") == 0) {
-        read_turn(reader, node, binding);
+        inputs_read_turn(reader, node, binding);
     } else if (strcmp(parts->what_name, "dial") == 0) {
         read_dial(reader, node, binding);
     } else if (strcmp(parts->what_name, "cursor") == 0) {
@@ -389,8 +350,8 @@ static void read_length(struct reader *reader, const struct yaml_node *node, str
         reader_problem(reader, node, "the action has no %s; a verb that has one",
                        drop_key(binding->length.parameter)->name);
     } else {
-        check_ends(reader, node,
-                   key_find(action_keys(binding->action.verb), drop_key(binding->length.parameter)->name));
+        inputs_check_ends(reader, node,
+                          key_find(action_keys(binding->action.verb), drop_key(binding->length.parameter)->name));
     }
     reader_leave(reader, length);
 }
@@ -479,10 +440,15 @@ static void let_short_wait(struct inputs *inputs)
     }
 }
 
-/* Tools without a touch binding have the default ones. */
+static bool turns_growth(const struct binding *binding)
+{
+    return binding->what == DO_TURN && binding->growth >= 0;
+}
+
+/* Tools without a touch binding have the default ones, and scenes of trees without a dial. */
 static void read_default_tools(struct reader *reader, struct inputs *inputs)
 {
-    bool written[TOOLS] = {false};
+    bool written[TOOLS] = {false}, dials = false;
     inputs->written_count = inputs->binding_count;
     const char *text = inputs_default_text();
     for (int i = 0; i < inputs->binding_count; i++) {
@@ -490,14 +456,16 @@ static void read_default_tools(struct reader *reader, struct inputs *inputs)
         if (binding->source == BINDING_TOUCH && binding->tool >= 0 && binding->tool < TOOLS) {
             written[binding->tool] = true;
         }
+        dials = dials || turns_growth(binding);
     }
     struct yaml *yaml = yaml_parse(text, strlen(text), reader->report);
     const struct yaml_node *list = yaml ? yaml_get(yaml_root(yaml), "bindings") : NULL;
     for (const struct yaml_node *item = list ? list->first : NULL; item; item = item->next) {
         struct binding *binding = &inputs->bindings[inputs->binding_count];
-        if (yaml_get(item, "touch") && inputs->binding_count < INPUTS_BINDINGS) {
+        bool touch = yaml_get(item, "touch");
+        if ((touch || yaml_get(item, "turn")) && inputs->binding_count < INPUTS_BINDINGS) {
             read_binding(reader, item, 0, inputs);
-            if (written[binding->tool]) {
+            if (touch ? written[binding->tool] : dials || !turns_growth(binding)) {
                 *binding = (struct binding){.tool = 0};
                 inputs->binding_count--;
             }

@@ -39,5 +39,9 @@ void inputs_read_lines(struct reader *reader, const struct yaml_node *root, stru
 struct inputs *inputs_section(struct reader *outer, const struct yaml_node *node, const struct script *session);
 /* After the others, whose ids it names. */
 void inputs_read_bindings(struct reader *reader, const struct yaml_node *root, struct inputs *inputs);
+/* What an axis turns: its `turn`, into a binding. */
+void inputs_read_turn(struct reader *reader, const struct yaml_node *node, struct binding *binding);
+/* The ends of a range lie in that of what they set. Both are numbers already: looked at only where nothing is wrong. */
+void inputs_check_ends(struct reader *reader, const struct yaml_node *node, const struct key *of);
 
 #endif

@@ -193,9 +193,11 @@ const struct key binding_do_keys[] = {
     SECTION("next_tool", "Action: the visitor's next tool."),
     SECTION("next_scene", "Action: the next scene."),
     SECTION("next_language", "Action: the next language."),
+    SECTION("next_picture", "Action: the next picture, in a scene of trees."),
+    SECTION("next_metaphor", "Action: what grows becomes another kind, in a scene of trees."),
     SECTION("switch", "Action: the one button of one-switch play; pressed and let go."),
     SECTION("cursor", "Action: moves the controller's point on the sheet."),
-    SECTION("turn", "Action: sets a coefficient to where an axis or a dial stands."),
+    SECTION("turn", "Action: sets a coefficient, or how trees grow, to where an axis or a dial stands."),
     SECTION("dial", "Action: sets a parameter of all drops to come to where an axis or a dial stands."),
     END,
 };
@@ -208,10 +210,14 @@ const struct key binding_do_keys[] = {
         NUMBER("steps", BINDING, axis.steps, "steps", 1, 10000, steps_def, false, "Of a dial, from end to end.")
 
 const struct key turn_keys[] = {
-    {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, offsetof(BINDING, coefficient), true,
+    {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, offsetof(BINDING, coefficient), false,
      "The coefficient; one that is a number."},
-    NUMBER("from", BINDING, axis.from, "as the coefficient", -100, 1000, 0, true, "Its value at one end."),
-    NUMBER("to", BINDING, axis.to, "as the coefficient", -100, 1000, 1, true, "Its value at the other."),
+    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, offsetof(BINDING, growth), false,
+     "Instead of it, in scenes of trees: an option of frond grow that is one value. Choices have a detent each."},
+    NUMBER("from", BINDING, axis.from, "as what it turns", -10000, 100000, 0, false,
+           "Its value at one end; the first, of choices, if left out."),
+    NUMBER("to", BINDING, axis.to, "as what it turns", -10000, 100000, 1, false,
+           "Its value at the other; the last, of choices, if left out."),
     AXIS(24, 80),
     END,
 };
@@ -252,7 +258,7 @@ const struct inputs_table inputs_tables[] = {
     {"bindings", "A binding: a source, a condition, and a verb of the script or one of the actions below.",
      binding_keys},
     {"do", "Actions of bindings beside the verbs.", binding_do_keys},
-    {"turn", "Sets a coefficient.", turn_keys},
+    {"turn", "Sets a coefficient, or how trees grow.", turn_keys},
     {"dial", "Sets a parameter of drops.", dial_keys},
     {"cursor", "Moves a point on the sheet.", cursor_keys},
     {"length", "Press length to size.", length_keys},

@@ -9,19 +9,19 @@
 
 enum { STROKE_POINTS = 8 };
 
-struct stroke { /* all zero: none */
+struct hand_stroke { /* all zero: none */
     struct point points[STROKE_POINTS];
     int count;
     uint64_t time_us; /* of the first thing that happened since it was taken */
 };
 
 /* A stroke begins here; nothing is to be painted yet. */
-void stroke_start(struct stroke *stroke, struct point at);
+void stroke_start(struct hand_stroke *stroke, struct point at);
 /* It goes on to `to`. With no room left, the last point moves there. */
-void stroke_add(struct stroke *stroke, struct point to, uint64_t time_us);
+void stroke_add(struct hand_stroke *stroke, struct point to, uint64_t time_us);
 /* There is something to paint. */
-bool stroke_grew(const struct stroke *stroke);
+bool stroke_grew(const struct hand_stroke *stroke);
 /* It has been painted up to its last point, from which it goes on. */
-void stroke_taken(struct stroke *stroke);
+void stroke_taken(struct hand_stroke *stroke);
 
 #endif

@@ -18,7 +18,7 @@ static struct engine *make_cpu(void *data, const struct painting_def *def, struc
 
 struct player_maker player_cpu(const int *threads)
 {
-    return (struct player_maker){make_cpu, (void *)(uintptr_t)threads};
+    return (struct player_maker){.make = make_cpu, .data = (void *)(uintptr_t)threads};
 }
 
 static struct engine *make(struct player *player, const struct painting_def *def, struct file_error *error)
@@ -51,7 +51,9 @@ static bool measure(struct player *player, const void *data, size_t size, struct
     }
     bool sheet = journal_next(&reader, &record) && record.kind == JOURNAL_SHEET;
     while (journal_next(&reader, &record)) {
-        player->goes_back = player->goes_back || (record.kind == JOURNAL_ACTION && goes_back(record.action.verb));
+        bool action = record.kind == JOURNAL_ACTION;
+        player->goes_back = player->goes_back || (action && goes_back(record.action.verb));
+        player->grows = player->grows || (action && player->maker.grows && garden_takes(record.action.verb));
     }
     player->last = reader.ticked;
     journal_close(&reader);
@@ -71,6 +73,21 @@ static bool fit_history(struct player *player, struct file_error *error)
     return player->history || file_fail(error, NAME, "memory is short for what is taken back");
 }
 
+/* What grows over the painting lies on its sheet. */
+static bool fit_plot(struct player *player, const struct painting_def *def, bool fresh, struct file_error *error)
+{
+    if (!player->grows) {
+        return true;
+    }
+    bool good = true;
+    if (player->plot) {
+        good = plot_sheet(player->plot, def->width, def->height, fresh);
+    } else {
+        player->plot = plot_create(def->width, def->height);
+    }
+    return (player->plot && good) || file_fail(error, NAME, "memory is short for what grows over it");
+}
+
 static bool take_sheet(struct player *player, const struct journal_sheet *sheet, struct file_error *error)
 {
     struct engine *next = make(player, &sheet->def, error);
@@ -81,7 +98,7 @@ static bool take_sheet(struct player *player, const struct journal_sheet *sheet,
     player->engine = next;
     player->sheet = *sheet;
     player->sheets++;
-    return fit_history(player, error);
+    return fit_history(player, error) && fit_plot(player, &sheet->def, true, error);
 }
 
 /* The painting on the sheet of this definition, whose seed it takes; its coefficients stay. As the studio does it. */
@@ -120,7 +137,7 @@ static bool take_canvas(struct player *player, const struct painting_def *def, s
     }
     player->engine = next;
     player->sheet.def = next->ops->get_def(next);
-    return fit_history(player, error);
+    return fit_history(player, error) && fit_plot(player, &player->sheet.def, false, error);
 }
 
 static bool take_scene(struct player *player, const struct journal_sheet *scene, struct file_error *error)
@@ -144,6 +161,9 @@ static bool act(struct player *player, const struct action *action)
         history_act(player->history, player->engine, action);
     } else if (!goes_back(action->verb)) {
         player->engine->ops->act(player->engine, action);
+    }
+    if (player->plot) {
+        plot_act(player->plot, player->next.ticked, action);
     }
     player->actions++;
     return true;
@@ -185,6 +205,11 @@ bool player_open(struct player *player, const void *data, size_t size, const str
     return true;
 }
 
+static bool grow(struct player *player, struct file_error *error)
+{
+    return !player->plot || plot_tick(player->plot) || file_fail(error, NAME, "memory is short for what grows over it");
+}
+
 bool player_resume(struct player *player, const void *data, size_t size, const struct player_place *place,
                    const struct player_maker *maker, struct file_error *error)
 {
@@ -199,6 +224,7 @@ bool player_resume(struct player *player, const void *data, size_t size, const s
     }
     player->ticked = place->ticked;
     player->resumed = true;
+    player->grows = false;
     player->engine = make(player, &place->checkpoint->def, error);
     if (!player->engine) {
         return false;
@@ -220,7 +246,7 @@ bool player_tick(struct player *player, struct file_error *error)
         }
         read_next(player);
     }
-    if (player->ticked >= player->last || !player->engine) {
+    if (!grow(player, error) || player->ticked >= player->last || !player->engine) {
         return false;
     }
     if (player->history) {
@@ -236,6 +262,8 @@ void player_close(struct player *player)
     journal_close(&player->reader);
     history_destroy(player->history);
     engine_destroy(player->engine);
+    plot_destroy(player->plot);
     player->engine = NULL;
     player->history = NULL;
+    player->plot = NULL;
 }

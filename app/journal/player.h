@@ -13,12 +13,14 @@
 #include "file.h"
 #include "history.h"
 #include "journal.h"
+#include "plot.h"
 
 /* Makes the engines. */
 struct player_maker {
     /* An engine for this painting, the player's from then on; NULL with the reason in `error`. */
     struct engine *(*make)(void *data, const struct painting_def *def, struct file_error *error);
     void *data;
+    bool grows; /* what grows over the painting is grown, too (plot.h); takes long */
 };
 /* CPU engines with this many threads, 0: one for each processor. */
 struct player_maker player_cpu(const int *threads);
@@ -34,9 +36,10 @@ struct player {
     struct journal_record next; /* what is done next, at next.ticked */
     bool has_next;
     struct journal_place done; /* behind what was done last: before `next` and what it declares */
+    struct plot *plot;         /* what grows over the painting; NULL: nothing in the journal does */
     /* The inside. */
     struct history *history; /* NULL: nothing is taken back */
-    bool goes_back, resumed;
+    bool goes_back, grows, resumed;
 };
 
 /* Reads the journal once, to see how long it is, and takes up its first sheet. False, with the reason in `error`, where
@@ -47,7 +50,7 @@ bool player_open(struct player *player, const void *data, size_t size, const str
  * when it failed, with the reason in `error` (else ""). */
 bool player_tick(struct player *player, struct file_error *error);
 /* Takes up a painting in the middle of its journal instead, to do what came after. What undo, redo and rewind would go
- * back to is not there: player_tick ends before the first of them, which is `next` then. */
+ * back to is not there: player_tick ends before the first of them, which is `next` then. Nothing grows over it. */
 struct player_place {
     const struct checkpoint *checkpoint;
     int64_t ticked;   /* when it was taken */

@@ -84,12 +84,9 @@ static bool show(struct replaying *replaying, struct file_error *error)
         return false;
     }
     replaying->shown = player->ticked;
-    bool good = true;
-    if (def->frames) {
-        good = easel_write_frame(picture, player->engine, def->frames, player->ticked, error);
-    } else {
-        easel_draw(picture, player->engine);
-    }
+    struct easel_scene scene = {player->engine, player->plot, player->ticked};
+    bool good =
+        def->frames ? easel_write_frame(picture, &scene, def->frames, error) : easel_draw(picture, &scene, error);
     return good && (!replaying->video || video_put(replaying->video, picture->rgb, error));
 }
 
@@ -126,8 +123,8 @@ static bool write_end(struct replaying *replaying, struct file_error *error)
         return true;
     }
     easel_unframe(&replaying->moving);
-    bool good =
-        frame(replaying, &still, def->scale, 0, error) && easel_write(&still, player->engine, def->picture, error);
+    struct easel_scene scene = {player->engine, player->plot, player->ticked};
+    bool good = frame(replaying, &still, def->scale, 0, error) && easel_write(&still, &scene, def->picture, error);
     easel_unframe(&still);
     return good;
 }
@@ -167,7 +164,7 @@ bool replay(const struct replay_def *def, struct progress *progress, struct repl
     if (!check(def, error) || !journal_file_read(def->journal, JOURNAL_FILE_MOST, &bytes, error)) {
         return false;
     }
-    struct player_maker maker = {easel_make, &replaying.easel};
+    struct player_maker maker = {easel_make, &replaying.easel, true};
     bool good = player_open(&replaying.player, bytes.data, bytes.size, &maker, error) &&
                 play(&replaying, progress, error) && write_end(&replaying, error);
     struct file_error ignored;

@@ -128,23 +128,26 @@ static bool draw(struct live *live)
         return true;
     }
     const struct fields *fields = studio_newest(live->studio, &fresh);
-    if (!fields || (!fresh && !live_kiosk_changed(&live->kiosk) && !live_picture_fades(&live->picture) &&
+    bool moves = fresh || live_plate_moves(&live->plate);
+    if (!fields || (!moves && !live_kiosk_changed(&live->kiosk) && !live_picture_fades(&live->picture) &&
                     now - live->presented_s < AGAIN_S)) {
         nap();
         return true;
     }
     struct shader_error error;
     if (!live_picture_draw(&live->picture, live->display, fields, fresh, &error) ||
-        !live_kiosk_draw(&live->kiosk, &error)) {
+        !live_plate_draw(&live->plate, live->display, &error) || !live_kiosk_draw(&live->kiosk, &error)) {
         say(live, LOG_LEVEL_ERROR, "%s", error.text);
         return false;
     }
     live_input_draws(&live->input, live->display, fields->number);
     display_end(live->display);
-    if (live->presented_s > 0 && fresh) {
+    bool goes_on = live->moved && live->presented_s > 0; /* after a rest, no frame was late */
+    live->moved = moves;
+    if (goes_on && moves) {
         status_frame(&live->service.status.frames, now - live->presented_s);
     }
-    if (live->def->governed && live->presented_s > 0 && fresh) {
+    if (live->def->governed && goes_on && fresh) {
         const char *line = live_care_frame(&live->care, live->studio, 1000 * (now - live->presented_s),
                                            controls_are_held(live->input.controls));
         if (line) {
@@ -165,6 +168,7 @@ static bool recover(struct live *live)
     live->service.status.gpu_resets++;
     say(live, LOG_LEVEL_WARNING, "GL is lost");
     live_picture_finish(&live->picture);
+    live_plate_finish(&live->plate);
     live_kiosk_lost(&live->kiosk);
     live_input_unseen(&live->input);
     studio_suspend(live->studio);
@@ -246,6 +250,44 @@ bool live_turn(struct live *live)
     return good;
 }
 
+/* In the studio's thread: to whoever listens. */
+static void tell(void *data, const struct studio_event *event)
+{
+    const struct live *live = data;
+    for (int i = 0; i < LIVE_LISTENERS; i++) {
+        if (live->listener[i].tell) {
+            live->listener[i].tell(live->listener[i].data, event);
+        }
+    }
+}
+
+/* A garden for an exhibit, whose scenes come and go, or for a session in which something is planted. */
+static bool open_garden(struct live *live)
+{
+    const struct exhibit *exhibit = live->def->exhibit;
+    bool planted = false;
+    for (int i = 0; i < live->script->action_count; i++) {
+        planted = planted || garden_takes(live->script->actions[i].verb);
+    }
+    if (exhibit || planted) {
+        live->garden = live_garden_create();
+        if (!live->garden) {
+            say(live, LOG_LEVEL_ERROR, "memory is short for a garden");
+            return false;
+        }
+    }
+    for (int i = 0; exhibit && i < exhibit->scene_count; i++) {
+        if (exhibit->scenes[i].script == live->script) {
+            planted = exhibit->scenes[i].kind == SCENE_TREES;
+        }
+    }
+    if (planted) {
+        live_garden_scene(live->garden, live->script, true);
+    }
+    live_plate_init(&live->plate, live->def->xray ? NULL : live->garden, live->def->shaders ? &live->folder : NULL);
+    return true;
+}
+
 static bool open_studio(struct live *live)
 {
     char path[1200];
@@ -262,8 +304,11 @@ static bool open_studio(struct live *live)
     def.ticks_per_second = live->def->ticks_per_second;
     def.xray = live->def->xray;
     def.once = live->def->once;
-    live_keep_open(&live->painting, live->def->state, live->def->exhibit, live->choice.kind);
+    live_keep_open(&live->painting, live->def->state, live->def->exhibit, live->choice.kind, live->garden);
     live_keep_studio(&live->painting, live->def->exhibit, &def);
+    live->listener[0] = def.teller;
+    live->listener[1] = live->garden ? (struct studio_teller){live_garden_tell, live->garden} : live->listener[1];
+    def.teller = (struct studio_teller){tell, live};
     live->studio = studio_create(&def, live->display, &error);
     if (!live->studio) {
         say(live, LOG_LEVEL_ERROR, "%s", error.text);
@@ -278,8 +323,14 @@ static bool open_input(struct live *live)
                                          .rotation = live->def->rotation,
                                          .hold = live->def->hold,
                                          .console = live->def->console};
-    const struct live_kiosk_def def = {live->def->exhibit, live->def->open,    &live->painting,
-                                       live->def->state,   live->def->trouble, live->def->clock};
+    const struct live_kiosk_def def = {.exhibit = live->def->exhibit,
+                                       .open = live->def->open,
+                                       .painting = &live->painting,
+                                       .garden = live->garden,
+                                       .plate = &live->plate,
+                                       .state = live->def->state,
+                                       .trouble = live->def->trouble,
+                                       .clock = live->def->clock};
     const struct live_status_def status = {.display = live->display,
                                            .studio = live->studio,
                                            .input = &live->input,
@@ -319,7 +370,8 @@ bool live_open(struct live *live, const struct script *script, struct display *d
     say(live, LOG_LEVEL_INFO, "display: %s", live->described);
     bool good = live->signals >= 0 &&
                 live_care_init(&live->care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
-                open_studio(live) && open_input(live) && live_service_open(&live->service, now_us());
+                open_garden(live) && open_studio(live) && open_input(live) &&
+                live_service_open(&live->service, now_us());
     if (good) {
         studio_rest(live->studio, live->state != DISPLAY_SHOWN);
     }
@@ -332,6 +384,8 @@ void live_close(struct live *live)
     live_service_close(&live->service);
     studio_destroy(live->studio);
     live_keep_close(&live->painting);
+    live_plate_finish(&live->plate);
+    live_garden_destroy(live->garden);
     live_input_close(&live->input);
     live_kiosk_close(&live->kiosk);
     live_picture_finish(&live->picture);

@@ -26,7 +26,8 @@ static const char *name_of(const char *path)
     return slash ? slash + 1 : path;
 }
 
-void live_keep_open(struct live_keep *keep, const char *state, const struct exhibit *exhibit, enum engine_kind engine)
+void live_keep_open(struct live_keep *keep, const char *state, const struct exhibit *exhibit, enum engine_kind engine,
+                    struct live_garden *garden)
 {
     char folder[1200];
     *keep = (struct live_keep){.scene = -1};
@@ -42,6 +43,11 @@ void live_keep_open(struct live_keep *keep, const char *state, const struct exhi
     bool found = keep_find(folder, &keep->found);
     for (int i = 0; found && i < exhibit->scene_count; i++) {
         keep->scene = suits(&keep->found, &exhibit->scenes[i]) ? i : keep->scene;
+    }
+    if (keep->scene >= 0 &&
+        exhibit->scenes[keep->scene].kind == SCENE_TREES) { /* the journal is the keep's from now on */
+        live_garden_resume(garden, exhibit->scenes[keep->scene].script, keep->found.journal.data,
+                           keep->found.journal.size);
     }
     keep->keep = keep_create(&def, keep->scene >= 0 ? &keep->found : NULL);
 }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "bench.h"
+#include "pictures.h"
 #include "script_sheet.h"
 
 static const int64_t SPARE_BYTES = INT64_C(64) << 20; /* of the disk, that are left to others */
@@ -35,7 +36,8 @@ static void say(struct live_kiosk *kiosk, const char *format, ...)
 static bool stage_post(void *context, const struct action *action, uint64_t event_us)
 {
     struct live_kiosk *kiosk = context;
-    bool posted = studio_post_event(kiosk->status.studio, action, event_us);
+    bool planted = garden_takes(action->verb); /* no fields hold it: how long it takes is not measured */
+    bool posted = studio_post_event(kiosk->status.studio, action, planted ? 0 : event_us);
     kiosk->drops += posted && action->verb == ACTION_DROP && action->visitor > 0;
     return posted;
 }
@@ -50,9 +52,13 @@ static void stage_fresh(void *context)
 static void stage_change(void *context, const struct script *script)
 {
     struct live_kiosk *kiosk = context;
+    live_garden_scene(kiosk->garden, script, kiosk_scene(kiosk->kiosk)->kind == SCENE_TREES);
     studio_change(kiosk->status.studio, script);
     kiosk->other = true;
     live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+    if (kiosk->pictures) {
+        live_pictures_scene(kiosk->pictures, kiosk_scene(kiosk->kiosk));
+    }
 }
 
 static void stage_keep(void *context)
@@ -71,13 +77,22 @@ static struct kiosk_sheet stage_sheet(void *context)
 {
     struct live_kiosk *kiosk = context;
     struct studio_report report = studio_report(kiosk->status.studio);
-    return (struct kiosk_sheet){report.sessions, report.ticks, report.can_undo, report.can_redo};
+    struct live_garden_sheet garden = live_garden_sheet(kiosk->garden, bench_wall_s());
+    uint64_t undo = garden.on ? garden.can_undo : report.can_undo;
+    uint64_t redo = garden.on ? garden.can_redo : report.can_redo;
+    return (struct kiosk_sheet){report.sessions, report.ticks, undo, redo};
 }
 
 static bool stage_guide(void *context, struct action *guide)
 {
     struct live_kiosk *kiosk = context;
     return kiosk->pictures && live_pictures_next(kiosk->pictures, guide);
+}
+
+static bool stage_stock(void *context, bool next, struct action *stock)
+{
+    struct live_kiosk *kiosk = context;
+    return kiosk->pictures && live_pictures_stock(kiosk->pictures, next, stock);
 }
 
 static void stage_status(void *context, char *lines, size_t size)
@@ -160,6 +175,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                                  .input = input,
                                  .state = def->state,
                                  .painting = def->painting,
+                                 .garden = def->garden,
+                                 .plate = def->plate,
                                  .clock = def->clock};
     kiosk->input_def = *input_def;
     kiosk->input_def.clock = def->clock;
@@ -176,7 +193,7 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                                   .resume = def->painting->scene >= 0,
                                   .scene = def->painting->scene,
                                   .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power,
-                                            stage_sheet, stage_guide, stage_status}};
+                                            stage_sheet, stage_guide, stage_status, stage_stock}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
     kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
     if (!kiosk->kiosk || !kiosk->watch) {
@@ -187,7 +204,9 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
     }
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
     live_slides_open(&kiosk->slides);
-    kiosk->pictures = live_pictures_create(kiosk_shows(kiosk->kiosk));
+    struct script_def pictures = script_default_def();
+    pictures.load = pictures_load;
+    kiosk->pictures = live_pictures_create(kiosk_shows(kiosk->kiosk), kiosk_scene(kiosk->kiosk), &pictures);
     live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
     kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
@@ -236,7 +255,7 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
     if (kiosk->pictures) {
-        live_pictures_set(kiosk->pictures, kiosk_shows(kiosk->kiosk));
+        live_pictures_set(kiosk->pictures, kiosk_shows(kiosk->kiosk), kiosk_scene(kiosk->kiosk));
     }
     if (same) { /* the inputs in use become the new exhibit's */
         struct inputs *inputs = exhibit->inputs;
@@ -315,6 +334,7 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
+        live_plate_reveal(kiosk->plate, rgb, width, height);
         char journal[40];
         int fd = live_keep_journal(kiosk->painting);
         snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);

@@ -7,11 +7,13 @@
 #include "gallery.h"
 #include "kiosk.h"
 #include "live_clock.h"
+#include "live_garden.h"
 #include "live_input.h"
 #include "live_keep.h"
 #include "live_overlay.h"
 #include "live_picture.h"
 #include "live_pictures.h"
+#include "live_plate.h"
 #include "live_slides.h"
 #include "live_status.h"
 #include "log.h"
@@ -21,15 +23,19 @@ struct live_kiosk_def {
     struct exhibit *exhibit;    /* taken over; NULL: a session, and no kiosk */
     bool open;                  /* whatever the schedule says */
     struct live_keep *painting; /* opened, and known to the studio */
-    const char *state;          /* folder that may be written to, with the gallery in it; NULL: nothing is kept */
-    const char *trouble;        /* as in struct live_def */
-    struct live_clock clock;    /* all zero: the real ones */
+    struct live_garden *garden; /* known to the studio, too */
+    struct live_plate *plate;
+    const char *state;       /* folder that may be written to, with the gallery in it; NULL: nothing is kept */
+    const char *trouble;     /* as in struct live_def */
+    struct live_clock clock; /* all zero: the real ones */
 };
 
 struct live_kiosk {
     struct live_keep *painting; /* that is kept against crashes; who is not ours */
-    bool visited;               /* as it was told last */
-    struct kiosk *kiosk;        /* NULL: a session */
+    struct live_garden *garden; /* the others', too */
+    struct live_plate *plate;
+    bool visited;        /* as it was told last */
+    struct kiosk *kiosk; /* NULL: a session */
     struct live_overlay overlay;
     struct exhibit_watch *watch;
     struct exhibit *before; /* until the studio has let go of its scripts */

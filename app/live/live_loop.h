@@ -5,13 +5,17 @@
 
 #include "live.h"
 #include "live_care.h"
+#include "live_garden.h"
 #include "live_group.h"
 #include "live_input.h"
 #include "live_kiosk.h"
 #include "live_picture.h"
+#include "live_plate.h"
 #include "live_service.h"
 #include "log.h"
 #include "studio.h"
+
+enum { LIVE_LISTENERS = 2 };
 
 struct live {
     const struct script *script;
@@ -22,6 +26,9 @@ struct live {
     struct live_care care;
     struct live_input input;
     struct live_keep painting;
+    struct live_garden *garden;                    /* NULL: a session in which nothing is planted */
+    struct live_plate plate;                       /* of the garden */
+    struct studio_teller listener[LIVE_LISTENERS]; /* to what happens in the studio */
     struct live_service service;
     struct live_group group;
     struct log log;
@@ -32,6 +39,7 @@ struct live {
     enum display_state state;
     char described[300]; /* what was said of the display last */
     double presented_s;  /* when a frame was presented last */
+    bool moved;          /* something on it was new */
     double second_s;     /* when it was looked after last */
     bool said_end;
 };

@@ -9,6 +9,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "session.h"
+
 enum {
     FLAGS = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY,
     RESOLVE_NO_MAGIC = 0x02, /* openat2(2): RESOLVE_NO_MAGICLINKS */
@@ -58,12 +60,9 @@ static int walk(int folder, const char *path)
     return -1;
 }
 
-int beneath_open(const char *folder, const char *path, const char *what, char *error, size_t size)
+/* Sets errno. */
+static int open_inside(const char *folder, const char *path)
 {
-    if (*path == '\0' || *path == '/' || climbs(path)) {
-        snprintf(error, size, "'%.100s' leads out of this file's folder; %s lies in it or below", path, what);
-        return -1;
-    }
     int fd = -1;
     int at = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (at >= 0) {
@@ -80,6 +79,32 @@ int beneath_open(const char *folder, const char *path, const char *what, char *e
 #else
         fd = walk(at, path);
 #endif
+    }
+    return fd;
+}
+
+static int open_stock(const char *path)
+{
+    char stock[1200];
+    const char *inside = path + strspn(path, "./");
+    size_t word = strcspn(inside, "/");
+    if (word != strlen("stock") || strncmp(inside, "stock", word) != 0 || !stock_find(stock, sizeof stock)) {
+        errno = ENOENT;
+        return -1;
+    }
+    inside += word + strspn(inside + word, "/");
+    return open_inside(stock, *inside ? inside : ".");
+}
+
+int beneath_open(const char *folder, const char *path, const char *what, char *error, size_t size)
+{
+    if (*path == '\0' || *path == '/' || climbs(path)) {
+        snprintf(error, size, "'%.100s' leads out of this file's folder; %s lies in it or below", path, what);
+        return -1;
+    }
+    int fd = open_inside(folder, path);
+    if (fd < 0 && errno == ENOENT) {
+        fd = open_stock(path);
     }
     if (fd < 0 && (errno == EXDEV || errno == ELOOP)) {
         snprintf(error, size, "'%.100s' leads out of this file's folder; %s lies in it or below", path, what);

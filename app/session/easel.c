@@ -144,8 +144,9 @@ static void read_sum(const struct easel_picture *picture, struct engine *engine,
     }
 }
 
-void easel_draw(struct easel_picture *picture, struct engine *engine)
+bool easel_draw(struct easel_picture *picture, const struct easel_scene *scene, struct file_error *error)
 {
+    struct engine *engine = scene->engine;
     struct picture_planes planes = {.depth = plane(picture, PLANE_DEPTH),
                                     .solvent = plane(picture, PLANE_SOLVENT),
                                     .mask = plane(picture, PLANE_MASK)};
@@ -159,15 +160,19 @@ void easel_draw(struct easel_picture *picture, struct engine *engine)
         planes.ink[i] = ink;
     }
     picture_draw(picture->picture, &planes, picture->rgb);
+    return !scene->plot ||
+           plot_lay(scene->plot, scene->ticked, picture->def.width, picture->def.height, picture->rgb) ||
+           file_fail(error, "the picture", "memory is short for what has grown over it");
 }
 
-bool easel_write(struct easel_picture *picture, struct engine *engine, const char *path, struct file_error *error)
+bool easel_write(struct easel_picture *picture, const struct easel_scene *scene, const char *path,
+                 struct file_error *error)
 {
-    easel_draw(picture, engine);
-    return image_write_png(path, picture->rgb, picture->def.width, picture->def.height, NULL, error);
+    return easel_draw(picture, scene, error) &&
+           image_write_png(path, picture->rgb, picture->def.width, picture->def.height, NULL, error);
 }
 
-bool easel_write_frame(struct easel_picture *picture, struct engine *engine, const char *folder, int64_t number,
+bool easel_write_frame(struct easel_picture *picture, const struct easel_scene *scene, const char *folder,
                        struct file_error *error)
 {
     size_t size = strlen(folder) + 32;
@@ -175,8 +180,8 @@ bool easel_write_frame(struct easel_picture *picture, struct engine *engine, con
     if (!path) {
         return file_fail(error, folder, "memory is short for a frame");
     }
-    snprintf(path, size, "%s/%06lld.png", folder, (long long)number);
-    bool good = easel_write(picture, engine, path, error);
+    snprintf(path, size, "%s/%06lld.png", folder, (long long)scene->ticked);
+    bool good = easel_write(picture, scene, path, error);
     free(path);
     return good;
 }

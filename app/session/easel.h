@@ -10,6 +10,7 @@
 #include "engine_choice.h"
 #include "file.h"
 #include "picture.h"
+#include "plot.h"
 #include "program.h"
 
 struct display;
@@ -42,17 +43,25 @@ struct easel_picture {
     uint8_t *rgb;  /* def.width * def.height * 3, from the top left; as easel_draw has left it */
 };
 
+/* What is drawn. */
+struct easel_scene {
+    struct engine *engine;
+    struct plot *plot; /* what has grown over it; NULL: nothing */
+    int64_t ticked;    /* that the plot counts in */
+};
+
 /* `def`: as script_picture makes it; its threads are the easel's. `ink_count`: how many of its inks there are. False
  * when memory is short or the size is out of range. What was open before is closed, with false too. */
 bool easel_frame(const struct easel *easel, struct easel_picture *picture, const struct picture_def *def,
                  int ink_count);
 void easel_unframe(struct easel_picture *picture); /* a zeroed one may be */
-/* Draws an engine's painting, of the cells that the picture is for. */
-void easel_draw(struct easel_picture *picture, struct engine *engine);
+/* Draws an engine's painting, of the cells that the picture is for, and what has grown over it. */
+bool easel_draw(struct easel_picture *picture, const struct easel_scene *scene, struct file_error *error);
 /* The same into a PNG. */
-bool easel_write(struct easel_picture *picture, struct engine *engine, const char *path, struct file_error *error);
-/* The same into FOLDER/000123.png. */
-bool easel_write_frame(struct easel_picture *picture, struct engine *engine, const char *folder, int64_t number,
+bool easel_write(struct easel_picture *picture, const struct easel_scene *scene, const char *path,
+                 struct file_error *error);
+/* The same into FOLDER/000123.png, numbered by scene->ticked. */
+bool easel_write_frame(struct easel_picture *picture, const struct easel_scene *scene, const char *folder,
                        struct file_error *error);
 
 /* The branches as an SVG for plotters (plan.h), on a sheet of this width; 0: PLAN_PAPER_MM. */

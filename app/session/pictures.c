@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "beneath.h"
+#include "fit.h"
 #include "image.h"
 
 /* Channels as a script counts them, whatever their order in the file: EXR sorts them by name. */
@@ -47,7 +48,8 @@ bool pictures_load(void *data, const char *folder, const char *path, struct scri
     snprintf(opened, sizeof opened, "/proc/self/fd/%d", fd);
     struct image image;
     struct file_error why;
-    bool good = image_read(opened, NULL, &image, &why);
+    struct image_def def = fit_def();
+    bool good = image_read(opened, &def, &image, &why);
     if (!good) {
         const char *reason = strstr(why.text, ": ");
         snprintf(error, size, "'%.100s' %.300s; a PNG, JPEG, TIFF, EXR or WebP picture", path,

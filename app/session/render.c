@@ -17,6 +17,7 @@ struct rendering {
     struct easel easel;
     struct engine *engine;
     struct history *history; /* NULL: nothing is taken back */
+    struct plot *plot;       /* NULL: nothing grows over a picture */
     struct easel_picture picture;
     struct journal_writer journal;
     size_t cells;
@@ -63,12 +64,17 @@ static bool write_fields(struct rendering *rendering, const char *path, struct f
     return good;
 }
 
+static struct easel_scene scene_of(const struct rendering *rendering)
+{
+    return (struct easel_scene){rendering->engine, rendering->plot, rendering->engine->ops->ticks(rendering->engine)};
+}
+
 static bool write_frame(struct rendering *rendering, struct file_error *error)
 {
     const struct render_def *def = rendering->def;
-    int64_t tick = rendering->engine->ops->ticks(rendering->engine);
-    return !def->frames || tick % def->every != 0 ||
-           easel_write_frame(&rendering->picture, rendering->engine, def->frames, tick, error);
+    struct easel_scene scene = scene_of(rendering);
+    return !def->frames || scene.ticked % def->every != 0 ||
+           easel_write_frame(&rendering->picture, &scene, def->frames, error);
 }
 
 static void begin_journal(struct rendering *rendering)
@@ -108,12 +114,23 @@ static bool open_history(struct rendering *rendering)
     return rendering->history || !goes_back(rendering->script);
 }
 
+static bool open_plot(struct rendering *rendering)
+{
+    const struct script *script = rendering->script;
+    bool wanted = plot_wanted(script);
+    rendering->plot = wanted ? plot_create(script->width, script->height) : NULL;
+    return rendering->plot || !wanted;
+}
+
 static void act(struct rendering *rendering, int64_t tick, const struct action *action)
 {
     if (rendering->history) {
         history_act(rendering->history, rendering->engine, action);
     } else {
         rendering->engine->ops->act(rendering->engine, action);
+    }
+    if (rendering->plot) {
+        plot_act(rendering->plot, tick, action);
     }
     if (rendering->def->journal) {
         journal_action(&rendering->journal, tick, action);
@@ -133,7 +150,9 @@ static bool run_session(struct rendering *rendering, struct progress *progress, 
         for (; next < script->action_count && script->actions[next].tick <= tick; next++) {
             act(rendering, tick, &script->actions[next]);
         }
-        if (tick < script->ticks) {
+        good = !rendering->plot || plot_tick(rendering->plot) ||
+               file_fail(error, "the painting", "memory is short for what grows over it");
+        if (good && tick < script->ticks) {
             if (rendering->history) {
                 history_tick(rendering->history, rendering->engine);
             }
@@ -150,11 +169,12 @@ static bool run_session(struct rendering *rendering, struct progress *progress, 
 static bool write_end(struct rendering *rendering, struct file_error *error)
 {
     const struct render_def *def = rendering->def;
+    struct easel_scene scene = scene_of(rendering);
     return (!def->journal || write_journal(rendering, def->journal, error)) &&
            (!def->fields || write_fields(rendering, def->fields, error)) &&
            (!def->stats || stats_write(def->stats, rendering->script, rendering->engine, error)) &&
            (!def->svg || easel_write_plan(rendering->engine, def->paper_mm, def->svg, error)) &&
-           (!def->picture || easel_write(&rendering->picture, rendering->engine, def->picture, error));
+           (!def->picture || easel_write(&rendering->picture, &scene, def->picture, error));
 }
 
 bool render(const struct script *script, const struct render_def *def, struct progress *progress,
@@ -173,6 +193,7 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     bool good =
         rendering.engine &&
         (open_history(&rendering) || file_fail(error, "the painting", "memory is short for what is taken back")) &&
+        (open_plot(&rendering) || file_fail(error, "the painting", "memory is short for what grows over it")) &&
         open_picture(&rendering, error) && run_session(&rendering, progress, error) && write_end(&rendering, error);
     if (progress) {
         progress_end(progress);
@@ -180,6 +201,7 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     journal_finish(&rendering.journal);
     easel_unframe(&rendering.picture);
     history_destroy(rendering.history);
+    plot_destroy(rendering.plot);
     engine_destroy(rendering.engine);
     easel_close(&rendering.easel);
     return good;

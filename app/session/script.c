@@ -168,6 +168,34 @@ static void sort_actions(struct action *actions, struct action *spare, int count
     memcpy(actions, spare, (size_t)count * sizeof *actions);
 }
 
+/* What a garden is asked for before there is anything to grow over. */
+struct too_early {
+    int64_t stocked; /* the first tick with a picture; INT64_MAX: none */
+    int64_t planted; /* the first tick with a seed, */
+    int index;       /* of the action that has it, */
+    const struct yaml_node *at;
+};
+
+static void look_early(struct too_early *early, const struct action *action, const struct yaml_node *at, int index)
+{
+    if (action->verb == ACTION_STOCK && action->tick < early->stocked) {
+        early->stocked = action->tick;
+    }
+    if (action->verb == ACTION_PLANT && action->tick < early->planted) {
+        *early = (struct too_early){early->stocked, action->tick, index, at};
+    }
+}
+
+static void tell_early(struct reader *reader, const struct too_early *early)
+{
+    if (early->planted < early->stocked) {
+        size_t length = reader_enter_index(reader, early->index);
+        reader_enter(reader, "plant");
+        reader_problem(reader, early->at, "there is no picture yet; a stock before it, or at the same tick");
+        reader_leave(reader, length);
+    }
+}
+
 static void read_actions(struct reader *reader, const struct yaml_node *root)
 {
     const struct yaml_node *node = yaml_get(root, "actions");
@@ -182,11 +210,17 @@ static void read_actions(struct reader *reader, const struct yaml_node *root)
     } else {
         struct action *actions = reader_take(reader, (size_t)node->count * sizeof *actions);
         struct action *spare = malloc((size_t)(node->count + 1) * sizeof *spare);
+        struct too_early early = {.stocked = INT64_MAX, .planted = INT64_MAX};
         int index = 0, count = 0;
         for (const struct yaml_node *item = node->first; actions && item; item = item->next, index++) {
             size_t outer = reader_enter_index(reader, index);
-            count += script_action_read(reader, item, &actions[count]);
+            if (script_action_read(reader, item, &actions[count])) {
+                look_early(&early, &actions[count++], item, index);
+            }
             reader_leave(reader, outer);
+        }
+        if (count == index) { /* else it may be the picture that is wrong */
+            tell_early(reader, &early);
         }
         if (actions && spare) {
             sort_actions(actions, spare, count);

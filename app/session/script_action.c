@@ -4,17 +4,20 @@
 #include <string.h>
 
 #include "formula.h"
+#include "garden.h"
 #include "raster.h"
+#include "script_structure.h"
 
 /* What one verb's parameters need to know of each other. */
 struct parameters {
-    const struct key *coefficient;   /* that `set` sets; NULL for other verbs, or where it is wrong */
+    const struct key *setting;       /* what `set` or `shape` sets; NULL for other verbs, or where it is wrong */
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
-    bool bound; /* place and ink may come later */
+    const struct yaml_node *structure; /* in place of the picture */
+    bool bound;                        /* place and ink may come later */
 };
 
-static bool take_values(struct reader *reader, const struct yaml_node *node, size_t count)
+bool script_take_values(struct reader *reader, const struct yaml_node *node, size_t count)
 {
     if (count > reader->def->raster_values_max - reader->raster_values) {
         reader_problem(reader, node, "too much for one file; %zu values in all formulas and pictures together",
@@ -70,7 +73,7 @@ static bool read_formula(struct reader *reader, const struct yaml_node *node, st
                        node->kind == YAML_LIST ? count : yaml_found(node, found, sizeof found));
         return false;
     }
-    if (!take_values(reader, node, cells * (size_t)channels)) {
+    if (!script_take_values(reader, node, cells * (size_t)channels)) {
         return false;
     }
     float *values = reader_take(reader, cells * (size_t)channels * sizeof *values);
@@ -102,6 +105,16 @@ static enum raster_kind kind_of(const struct action *action)
                                                  : RASTER_TOWARDS_DARK;
 }
 
+static void size_stock(const struct script_picture *picture, int *width, int *height)
+{
+    int longer = picture->width > picture->height ? picture->width : picture->height;
+    int side = longer < GARDEN_STOCK_SIDE ? longer : GARDEN_STOCK_SIDE;
+    *width = (int)((int64_t)picture->width * side / longer);
+    *height = (int)((int64_t)picture->height * side / longer);
+    *width = *width > 0 ? *width : 1;
+    *height = *height > 0 ? *height : 1;
+}
+
 bool script_action_picture(struct reader *reader, const struct yaml_node *node, struct action *action)
 {
     char found[128], error[256] = "";
@@ -120,15 +133,23 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
     enum raster_kind kind = kind_of(action);
     int width = reader->script->width, height = reader->script->height;
     int channels = raster_channels(kind);
-    size_t count = (size_t)width * (size_t)height * (size_t)channels;
-    if (!take_values(reader, node, count)) {
+    struct script_picture picture = {0};
+    size_t values_of_sheet = (size_t)width * (size_t)height * (size_t)channels;
+    if (action->verb != ACTION_STOCK && !script_take_values(reader, node, values_of_sheet)) {
         return false;
     }
-    struct script_picture picture = {0};
     if (!reader->def->load(reader->def->data, reader->folder, node->text, &picture, error, sizeof error)) {
         reader_problem(reader, node, "%s", error);
         return false;
     }
+    if (action->verb == ACTION_STOCK) { /* its own shape, not the sheet's */
+        size_stock(&picture, &width, &height);
+        if (!script_take_values(reader, node, (size_t)width * (size_t)height)) {
+            free(picture.values);
+            return false;
+        }
+    }
+    size_t count = (size_t)width * (size_t)height * (size_t)channels;
     float *values = reader_take(reader, count * sizeof *values);
     bool good = values && raster_from_picture(&picture, kind, width, height, values);
     free(picture.values);
@@ -139,21 +160,41 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
     return good;
 }
 
-/* `value` and `to` of `set` have the type and range of their coefficient. */
-static bool read_setting(struct reader *reader, const struct key *key, const struct yaml_node *node,
-                         const struct key *coefficient, struct action *action)
+static bool is_number(const struct yaml_node *node)
 {
-    float *setting = (float *)(void *)((char *)action + key->offset);
-    if (coefficient->type == KEY_CHOICE) {
-        struct names names = names_of_choices(coefficient->choices);
-        int choice = 0;
-        bool good = value_choice(reader, &names, "choice", node, &choice);
-        *setting = (float)choice;
-        return good;
-    }
+    return node->kind == YAML_SCALAR &&
+           (strchr("+-.", node->text[0]) || (node->text[0] >= '0' && node->text[0] <= '9'));
+}
+
+/* `value` and `to` of `set`, `value` of `shape`: type and range of what they set. */
+static bool read_setting(struct reader *reader, const struct key *key, const struct yaml_node *node,
+                         const struct key *setting, struct action *action)
+{
+    float *value = (float *)(void *)((char *)action + key->offset);
     double number = 0;
-    bool good = value_number(reader, coefficient, node, &number);
-    *setting = (float)number;
+    bool good, flag = false;
+    if (setting->type == KEY_POINT || setting->type == KEY_PATH) {
+        reader_problem(reader, node, "'%s' cannot be shaped; plant says where it grows from", setting->name);
+        return false;
+    }
+    if (setting->type == KEY_CHOICE && !(action->verb == ACTION_SHAPE && is_number(node))) {
+        struct names names = names_of_choices(setting->choices);
+        int choice = 0;
+        good = value_choice(reader, &names, "choice", node, &choice);
+        number = choice;
+    } else if (setting->type == KEY_FLAG && !is_number(node)) {
+        struct key own = {.name = "value", .type = KEY_FLAG};
+        good = value_read(reader, &own, node, &flag);
+        number = flag;
+    } else {
+        struct key own = *setting;
+        if (own.type == KEY_CHOICE || own.type == KEY_FLAG) {
+            own.max = own.type == KEY_FLAG ? 1 : names_of_choices(own.choices).count - 1;
+            own.type = KEY_INTEGER;
+        }
+        good = value_number(reader, &own, node, &number);
+    }
+    *value = (float)number;
     return good;
 }
 
@@ -167,11 +208,11 @@ static bool read_parameter(struct reader *reader, const struct key *key, const s
         return true;
     }
     if (key->type == KEY_PICTURE) {
-        parameters->picture = node;
+        *(strcmp(key->name, "structure") == 0 ? &parameters->structure : &parameters->picture) = node;
         return true;
     }
-    if (parameters->coefficient && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
-        return read_setting(reader, key, node, parameters->coefficient, action);
+    if (parameters->setting && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
+        return read_setting(reader, key, node, parameters->setting, action);
     }
     bool good = value_read(reader, key, node, object);
     if (key->type == KEY_POINT && strcmp(key->name, "at") == 0) {
@@ -193,11 +234,16 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
                            const struct parameters *parameters)
 {
     bool at = yaml_get(node, "at"), path = yaml_get(node, "path");
-    bool raster = parameters->formula || parameters->picture;
-    if (parameters->formula && parameters->picture) {
-        reader_problem(reader, node, "both a formula and a picture; one of them");
+    bool raster = parameters->formula || parameters->picture || parameters->structure;
+    if (parameters->formula && (parameters->picture || parameters->structure)) {
+        reader_problem(reader, node, "both a formula and a %s; one of them",
+                       parameters->picture ? "picture" : "structure");
     }
-    if (verb == ACTION_GUIDE && !path && !raster && !parameters->bound) {
+    if (parameters->picture && parameters->structure) {
+        reader_problem(reader, node, "both a picture and a structure; one of them");
+    }
+    bool laid = verb == ACTION_BRUSH_SOLVENT || verb == ACTION_BRUSH_INK || verb == ACTION_DRAW;
+    if ((verb == ACTION_GUIDE || laid) && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; a path, a formula or a picture");
     }
     if (verb == ACTION_MASK && !at && !path && !raster && !parameters->bound) {
@@ -209,23 +255,38 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     if (verb == ACTION_RINSE && at && path) {
         reader_problem(reader, node, "both at and a path; one of them");
     }
-    if (verb == ACTION_SET && parameters->coefficient) {
+    if (verb == ACTION_STOCK && !raster && !parameters->bound) {
+        reader_problem(reader, node, "no picture is given; the path of one in this file's folder");
+    }
+    if ((verb == ACTION_SET || verb == ACTION_SHAPE) && parameters->setting) {
         if (!yaml_get(node, "value")) {
-            missing(reader, node, "value", parameters->coefficient);
+            missing(reader, node, "value", parameters->setting);
         }
         if (raster && !yaml_get(node, "to")) {
-            missing(reader, node, "to", parameters->coefficient);
+            missing(reader, node, "to", parameters->setting);
         }
     }
 }
 
 enum { PARAMETERS_MAX = 16 };
 
+/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure. */
+static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX + 1])
+{
+    int count = key_count(action_keys(verb));
+    memcpy(keys, action_keys(verb), (size_t)count * sizeof *keys);
+    const struct key *picture = key_find(action_keys(verb), "picture");
+    if (picture && verb != ACTION_STOCK) {
+        keys[count] = *picture;
+        keys[count++].name = "structure";
+    }
+    return count;
+}
+
 static void read_parameters(struct reader *reader, const struct yaml_node *node, struct action *action, bool bound)
 {
     struct key keys[PARAMETERS_MAX + 1] = {{0}};
-    int count = key_count(action_keys(action->verb));
-    memcpy(keys, action_keys(action->verb), (size_t)count * sizeof *keys);
+    int count = parameter_keys(action->verb, keys);
     for (int i = 0; bound && i < count; i++) {
         keys[i].required = keys[i].required && keys[i].type != KEY_POINT && keys[i].type != KEY_PATH;
     }
@@ -245,9 +306,11 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
         return;
     }
     struct parameters parameters = {.bound = bound};
-    const struct yaml_node *coefficient = action->verb == ACTION_SET ? yaml_get(node, "coefficient") : NULL;
-    if (coefficient && coefficient->kind == YAML_SCALAR) {
-        parameters.coefficient = key_find(coefficient_keys, coefficient->text);
+    const struct yaml_node *setting = action->verb == ACTION_SET     ? yaml_get(node, "coefficient")
+                                      : action->verb == ACTION_SHAPE ? yaml_get(node, "growth")
+                                                                     : NULL;
+    if (setting && setting->kind == YAML_SCALAR) {
+        parameters.setting = key_find(action->verb == ACTION_SET ? coefficient_keys : growth_keys, setting->text);
     }
     struct value_reading reading = {read_parameter, &parameters};
     mapping_read(reader, keys, node, action, &reading);
@@ -260,6 +323,11 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     if (parameters.picture) {
         size_t length = reader_enter(reader, "picture");
         script_action_picture(reader, parameters.picture, action);
+        reader_leave(reader, length);
+    }
+    if (parameters.structure) {
+        size_t length = reader_enter(reader, "structure");
+        script_structure_read(reader, parameters.structure, action, NULL, NULL);
         reader_leave(reader, length);
     }
 }

@@ -15,4 +15,7 @@ bool script_action_bound(struct reader *reader, const struct yaml_node *node, st
 /* The raster of an action from the picture whose path `node` is; a guide's depends on its `reading`. */
 bool script_action_picture(struct reader *reader, const struct yaml_node *node, struct action *action);
 
+/* Counts values of rasters against what a file may have; false, and reported, where that is too much. */
+bool script_take_values(struct reader *reader, const struct yaml_node *node, size_t count);
+
 #endif

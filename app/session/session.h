@@ -1,4 +1,4 @@
-/* Where the sessions and exhibits that come with Frond are. */
+/* Where the sessions, exhibits and pictures that come with Frond are. */
 #ifndef FROND_SESSION_H
 #define FROND_SESSION_H
 
@@ -10,5 +10,9 @@
 bool session_find(const char *name, char *path, size_t size);
 /* The same for exhibits/NAME.yaml. */
 bool exhibit_find(const char *name, char *path, size_t size);
+
+/* The folder `stock` of the pictures that come with Frond: beside the program as it was built, in share/frond beside
+ * it, or where Frond was installed. False when it is not there. */
+bool stock_find(char *path, size_t size);
 
 #endif

@@ -6,8 +6,11 @@
 #include <time.h>
 
 #include "bench.h"
+#include "garden.h"
 #include "painting_gpu.h"
 #include "studio_sheet.h"
+
+enum { EFFORT_TICKS = 64 };
 
 static const int64_t REST_TICKS = 20 * STUDIO_TICKS_PER_SECOND; /* a finished painting is looked at for so long */
 
@@ -30,7 +33,7 @@ static struct action action_of(const struct studio_action *posted)
 static void act(struct studio *studio, const struct studio_action *posted)
 {
     struct action action = action_of(posted);
-    studio->changed_since = true;
+    studio->changed_since = studio->changed_since || !garden_takes(action.verb);
     if (studio->history) {
         history_act(studio->history, studio->engine, &action);
     } else {
@@ -184,6 +187,18 @@ static void measure(struct studio *studio, double began, bool ticked)
     pthread_mutex_unlock(&studio->lock);
 }
 
+/* Whether the tick has changed nothing, and those to come will not until something is done: then there is nothing new
+ * to show. Of a GPU that is asked for seldom, since it waits. */
+static bool sleeps(struct studio *studio)
+{
+    bool cheap = engine_cpu_painting(studio->engine);
+    if (!studio->asleep && (cheap || studio->ticked % EFFORT_TICKS == 0)) {
+        struct painting_effort effort = studio->engine->ops->effort(studio->engine);
+        studio->asleep = effort.fluid_awake == 0 && effort.pattern_awake == 0;
+    }
+    return studio->asleep;
+}
+
 static bool tick(struct studio *studio)
 {
     double began = bench_wall_s();
@@ -196,7 +211,8 @@ static bool tick(struct studio *studio)
     if (ticks) {
         studio->engine->ops->tick(studio->engine);
         studio->engine->ops->finish(studio->engine);
-        studio->changed_since = true;
+        studio->asleep = studio->asleep && !studio->changed_since;
+        studio->changed_since = !sleeps(studio) || studio->changed_since;
         studio_tell_ticked(studio, bench_wall_s() - began);
     } else if (!studio->def.once && ++studio->rest_ticks > REST_TICKS && !studio_begin_session(studio)) {
         return false;

@@ -54,6 +54,7 @@ struct studio {
     bool lost;               /* GL is gone: nothing of it is to be touched */
     uint64_t published;      /* number of the newest fields */
     bool changed_since;      /* the painting is not what was published last */
+    bool asleep;             /* nothing changes until something is done */
     int next_action;         /* of the script */
     int64_t session_start;   /* tick of the engine at which the session began */
     int64_t ticked;          /* over all sheets: studio_tell.h */

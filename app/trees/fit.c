@@ -3,21 +3,22 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PICTURE_MEGABYTES = 2400, PICTURE_SECONDS = 60, PICTURE_MEGAPIXELS = 100 };
+enum { PICTURE_MEGABYTES = 2400, PICTURE_SECONDS = 60 };
 
-bool fit_read(const char *path, struct image *image, struct file_error *error)
+struct image_def fit_def(void)
 {
     struct image_def def = image_default_def();
     def.width = def.height = IMAGE_SIZE_MAX;
+    def.shrink = FIT_SIDE;
     def.megabytes = PICTURE_MEGABYTES;
     def.seconds = PICTURE_SECONDS;
-    if (!image_read(path, &def, image, error)) {
-        return false;
-    }
-    if ((int64_t)image->width * image->height > (int64_t)PICTURE_MEGAPIXELS * 1000000) {
-        return file_fail(error, path, "more than %d megapixels", PICTURE_MEGAPIXELS);
-    }
-    return true;
+    return def;
+}
+
+bool fit_read(const char *path, struct image *image, struct file_error *error)
+{
+    struct image_def def = fit_def();
+    return image_read(path, &def, image, error);
 }
 
 void fit_size(const struct image *image, int side, int *width, int *height)

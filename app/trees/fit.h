@@ -6,7 +6,11 @@
 
 #include "image.h"
 
-/* Reads a picture of up to 100 megapixels. On failure the image is the placeholder; finish it in any case. */
+enum { FIT_SIDE = 4096 }; /* pixels; what is larger comes out of the helper smaller */
+
+/* For photographs of up to IMAGE_SIZE_MAX pixels a side, 268 megapixels, at most FIT_SIDE as they come out. */
+struct image_def fit_def(void);
+/* Reads a picture with these limits. On failure the image is the placeholder; finish it in any case. */
 bool fit_read(const char *path, struct image *image, struct file_error *error);
 /* width * height pixels of red, green, blue, alpha, linear light; the mean over each pixel's area, or between pixels
  * where the picture is smaller. Owned by the caller; NULL when memory is short. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "compose.h"
+#include "compose_garden.h"
 #include "vary.h"
 
 enum { EVERY = 3 }; /* every third is a recorded one, where there are any */
@@ -92,6 +93,16 @@ static void begin_generated(struct attract *attract, const struct script *scene,
     compose(&attract->performance, &def, &attract->dice);
 }
 
+static void begin_garden(struct attract *attract, float aspect)
+{
+    const struct exhibit *exhibit = attract->exhibit;
+    struct compose_garden_def def = {.rate = rate_of(attract)};
+    def.ticks = (int64_t)(exhibit->visit.attract * (float)def.rate);
+    def.width = sqrtf((float)exhibit->sheet.cells * aspect);
+    def.height = (float)exhibit->sheet.cells / def.width;
+    compose_garden(&attract->performance, &def, &attract->dice);
+}
+
 static bool begin_recorded(struct attract *attract, const struct script *scene, int number)
 {
     const struct exhibit *exhibit = attract->exhibit;
@@ -109,8 +120,12 @@ void attract_begin(struct attract *attract, int scene, float aspect)
 {
     const struct exhibit *exhibit = attract->exhibit;
     const struct script *script = exhibit->scenes[scene].script;
-    int number = attract->begun++, recorded = exhibit->session_count > 0 ? number / EVERY : 0;
     attract->next = 0;
+    if (exhibit->scenes[scene].kind == SCENE_TREES) {
+        begin_garden(attract, aspect);
+        return;
+    }
+    int number = attract->begun++, recorded = exhibit->session_count > 0 ? number / EVERY : 0;
     if (exhibit->session_count == 0 || number % EVERY != EVERY - 1 || !begin_recorded(attract, script, recorded)) {
         begin_generated(attract, script, aspect, number - recorded);
     }

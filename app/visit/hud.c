@@ -38,7 +38,8 @@ static void check_panel(struct hud *hud, int panel)
     int inks = hud_inks(hud), seat = exhibit->seats[panel].ink;
     of->ink = seat >= 0 ? seat : of->ink;
     of->ink = of->ink >= 0 && of->ink < inks ? of->ink : 0;
-    of->tool = of->tool >= 0 && of->tool < TOOLS && exhibit->palette.tools[of->tool] ? of->tool : TOOL_DROP;
+    int kind = hud_kind_of_scene(hud);
+    of->tool = tool_fits(of->tool, kind) && exhibit->palette.tools[of->tool] ? of->tool : (int)tool_first(kind);
 }
 
 static void check_language(struct hud *hud)
@@ -107,6 +108,32 @@ void hud_choose(struct hud *hud, int panel, int tool, int ink)
     of->any_ink = of->any_ink && ink < 0;
     check_panel(hud, panel);
     hud_layout_panel(hud, panel); /* moves nothing, but a folded button shows what is chosen */
+}
+
+void hud_show_picture(struct hud *hud, const struct action_raster *picture)
+{
+    struct hud_thumb *thumb = &hud->thumb;
+    int width = picture->width, height = picture->height, longer = width > height ? width : height;
+    memset(thumb, 0, sizeof *thumb);
+    if (!picture->values || longer < 1) {
+        return;
+    }
+    thumb->width = width * HUD_THUMB / longer > 0 ? width * HUD_THUMB / longer : 1;
+    thumb->height = height * HUD_THUMB / longer > 0 ? height * HUD_THUMB / longer : 1;
+    for (int y = 0; y < thumb->height; y++) {
+        int from = y * height / thumb->height, to = (y + 1) * height / thumb->height;
+        for (int x = 0; x < thumb->width; x++) {
+            int left = x * width / thumb->width, right = (x + 1) * width / thumb->width;
+            float sum = 0;
+            int count = 0;
+            for (int v = from; v < to || v == from; v++) {
+                for (int u = left; u < right || u == left; u++, count++) {
+                    sum += picture->values[(size_t)v * (size_t)width + (size_t)u];
+                }
+            }
+            thumb->grey[y * thumb->width + x] = (uint8_t)(255 * powf(clamp(sum / (float)count), 1 / 2.2f) + 0.5f);
+        }
+    }
 }
 
 void hud_reset(struct hud *hud)

@@ -23,6 +23,8 @@ enum hud_kind {
     HUD_UNDO,
     HUD_REDO,
     HUD_FINISH,
+    HUD_PICTURE,  /* the next one, in scenes of trees */
+    HUD_METAPHOR, /* another kind of growth */
     HUD_HAND,     /* value, in a press: 1: the palette is on the other side now */
     HUD_SEATED,   /* value, in a press: 1: hud.seated now */
     HUD_LANGUAGE, /* value: of the language that a touch brings (words_languages) */
@@ -32,7 +34,7 @@ enum hud_kind {
     HUD_KINDS,
 };
 
-enum { HUD_BUTTONS = 32, HUD_FINGERS = 64 };
+enum { HUD_BUTTONS = 32, HUD_FINGERS = 64, HUD_THUMB = 48 };
 
 struct hud_button {
     enum hud_kind kind;
@@ -77,6 +79,11 @@ struct hud {
     int count;
     int language; /* index as of words.h */
     bool seated;
+    int metaphor; /* enum metaphor of a scene of trees, now. Set by the kiosk */
+    struct hud_thumb {
+        int width, height; /* 0: none */
+        uint8_t grey[HUD_THUMB * HUD_THUMB];
+    } thumb;                    /* the picture of a scene of trees, sRGB */
     bool status;                /* the staff's view is up: its two buttons are all there is. Set by the kiosk */
     struct hud_button staff[2]; /* HUD_BACK, HUD_EXIT */
     bool shown;                 /* by the visit */
@@ -105,6 +112,8 @@ void hud_init(struct hud *hud, const struct hud_def *def);
 void hud_layout(struct hud *hud);
 /* Tool and ink of a panel, when they are chosen by other means (a button of a controller, say); -1: that one stays. */
 void hud_choose(struct hud *hud, int panel, int tool, int ink);
+/* The picture of a scene of trees from now on, as ACTION_STOCK has it. */
+void hud_show_picture(struct hud *hud, const struct action_raster *picture);
 /* A new visit: everything as at first, but what is shown, and fingers that are down stay the palette's until they
  * leave. */
 void hud_reset(struct hud *hud);

@@ -9,6 +9,7 @@
 #include "hud_layout.h"
 
 static const struct pen_colour SCANNED = {0, 0.3, 0.95};
+static const struct pen_colour LEAF = {0.42, 0.6, 0.26}; /* in scenes of trees, which have no inks */
 static const double SQUEEZED_LINE = 0.83; /* letters are made narrower down to this before words take a second line */
 static const double SQUEEZED = 0.68;      /* and down to this before they are left out */
 
@@ -24,9 +25,10 @@ struct board {
 static enum hud_icon icon_of(const struct hud_button *button)
 {
     static const enum hud_icon ICONS_OF[HUD_KINDS] = {
-        [HUD_UNDO] = ICON_UNDO, [HUD_REDO] = ICON_REDO,     [HUD_FINISH] = ICON_FINISH,
-        [HUD_HAND] = ICON_HAND, [HUD_SEATED] = ICON_SEATED, [HUD_LANGUAGE] = ICON_LANGUAGE,
-        [HUD_MORE] = ICON_MORE, [HUD_EXIT] = ICON_EXIT,     [HUD_BACK] = ICON_BACK,
+        [HUD_UNDO] = ICON_UNDO,       [HUD_REDO] = ICON_REDO,         [HUD_FINISH] = ICON_FINISH,
+        [HUD_HAND] = ICON_HAND,       [HUD_SEATED] = ICON_SEATED,     [HUD_LANGUAGE] = ICON_LANGUAGE,
+        [HUD_PICTURE] = ICON_PICTURE, [HUD_METAPHOR] = ICON_METAPHOR, [HUD_MORE] = ICON_MORE,
+        [HUD_EXIT] = ICON_EXIT,       [HUD_BACK] = ICON_BACK,
     };
     return button->kind == HUD_TOOL ? (enum hud_icon)(ICON_DROP + button->value) : ICONS_OF[button->kind];
 }
@@ -45,6 +47,9 @@ static uint64_t panel_key(const struct hud *hud, int number)
     const float places[] = {panel->x, panel->y, panel->width, panel->height};
     key = pen_hash(key, places, sizeof places);
     key = pen_hash_int(pen_hash_int(key, panel->labels), panel->any_ink ? -1 : panel->ink);
+    if (hud_kind_of_scene(hud) == SCENE_TREES) {
+        key = pen_hash(key, &hud->thumb, sizeof hud->thumb);
+    }
     for (int i = 0; i < panel->count; i++) {
         const struct hud_button *button = &panel->buttons[i];
         const float sizes[] = {button->x, button->y, button->width, button->height};
@@ -62,10 +67,11 @@ static uint64_t panel_key(const struct hud *hud, int number)
     return key;
 }
 
-/* The ink that icons drip: the chosen one, bright enough for its ground. */
+/* The ink that icons drip: the chosen one, or that of leaves, bright enough for its ground. */
 static struct pen_colour wet_of(const struct board *board, bool dark)
 {
-    struct pen_colour colour = hud_ink_colour(board->hud, board->panel->ink, 0.8);
+    bool trees = hud_kind_of_scene(board->hud) == SCENE_TREES;
+    struct pen_colour colour = trees ? LEAF : hud_ink_colour(board->hud, board->panel->ink, 0.8);
     for (int i = 0; i < 8 && dark && pen_luminance(colour) < 0.18; i++) {
         colour = pen_between(colour, pen_paper, 0.2);
     }
@@ -120,6 +126,38 @@ static void draw_letters(const struct board *board, const struct hud_button *but
     struct pen_words words = {.text = letters, .tag = hud_tag(button->value), .size = 0.8 * radius, .bold = true};
     pen_set(board->pen, pen_dark, 1);
     pen_write(board->pen, &words, x, y - 0.14 * radius);
+}
+
+/* In the frame of its pictogram: the picture that there is. */
+static void draw_thumb(const struct board *board, double x, double y, double radius)
+{
+    const struct hud_thumb *thumb = &board->hud->thumb;
+    cairo_t *cairo = board->pen->cairo;
+    if (thumb->width < 1 || thumb->height < 1) {
+        return;
+    }
+    cairo_surface_t *picture = cairo_image_surface_create(CAIRO_FORMAT_RGB24, thumb->width, thumb->height);
+    uint8_t *bytes = cairo_image_surface_get_data(picture);
+    cairo_surface_flush(picture);
+    for (int i = 0; bytes && i < thumb->width * thumb->height; i++) {
+        uint32_t grey = thumb->grey[i] * 0x010101u;
+        size_t at = (size_t)(i / thumb->width) * (size_t)cairo_image_surface_get_stride(picture) +
+                    4 * (size_t)(i % thumb->width);
+        memcpy(bytes + at, &grey, sizeof grey);
+    }
+    cairo_surface_mark_dirty(picture);
+    double left = x + HUD_FRAME_LEFT * radius, top = y + HUD_FRAME_TOP * radius;
+    double width = HUD_FRAME_WIDTH * radius, height = HUD_FRAME_HEIGHT * radius;
+    double scale = fmax(width / thumb->width, height / thumb->height);
+    cairo_save(cairo);
+    cairo_rectangle(cairo, left, top, width, height);
+    cairo_clip(cairo);
+    cairo_translate(cairo, left + 0.5 * (width - scale * thumb->width), top + 0.5 * (height - scale * thumb->height));
+    cairo_scale(cairo, scale, scale);
+    cairo_set_source_surface(cairo, picture, 0, 0);
+    cairo_paint(cairo);
+    cairo_restore(cairo);
+    cairo_surface_destroy(picture);
 }
 
 static void draw_ink(const struct board *board, const struct hud_button *button, double x, double y, double side)
@@ -208,6 +246,9 @@ static void draw_button(const struct board *board, int index)
                  fmin(plain ? 1.35 * side : side, (double)button->width) - 2 * lift);
     } else {
         hud_icon_draw(pen, icon_of(button), middle, across - lift, 0.41 * side, &style);
+    }
+    if (button->kind == HUD_PICTURE) {
+        draw_thumb(board, middle, across - lift, 0.41 * side);
     }
     if (button->kind == HUD_LANGUAGE) {
         draw_letters(board, button, middle, across, 0.41 * side);

@@ -2,25 +2,9 @@
 
 #include <math.h>
 
-/* All are drawn in -1..1; LINE is the width of a stroke there. */
-static const double LINE = 0.13;
+#include "hud_icon_parts.h"
 
-#define BRUSH(pen, first, middle, last, ...)                                                                           \
-    pen_brush(pen, (const double[][2]){__VA_ARGS__},                                                                   \
-              (int)(sizeof((const double[][2]){__VA_ARGS__}) / sizeof(double[2])), first, middle, last)
-
-static void line(const struct pen *pen, const struct hud_icon_style *style)
-{
-    pen_set(pen, style->line, 1);
-}
-
-static void wet(const struct pen *pen, const struct hud_icon_style *style)
-{
-    pen_set(pen, style->wet, 1);
-}
-
-/* The head of an arrow that flies in a direction (radians), its tip at x, y. */
-static void arrow_head(const struct pen *pen, double x, double y, double angle, double size)
+void hud_icon_arrow_head(const struct pen *pen, double x, double y, double angle, double size)
 {
     double ax = x - size * cos(angle - 0.6), ay = y - size * sin(angle - 0.6);
     double bx = x - size * cos(angle + 0.6), by = y - size * sin(angle + 0.6);
@@ -75,7 +59,7 @@ static void draw_guide(const struct pen *pen, const struct hud_icon_style *style
     BRUSH(pen, 0.04, 0.11, 0.04, {-0.5, 0.86}, {-0.1, 0.5}, {0.35, 0.62}, {0.72, 0.3}, {0.9, -0.02});
     line(pen, style);
     BRUSH(pen, 0.06, 1.3 * LINE, 1.1 * LINE, {-0.92, 0.52}, {-0.5, 0.1}, {0, 0.2}, {0.42, 0.06}, {0.76, -0.5});
-    arrow_head(pen, 0.8, -0.62, -1.06, 0.44);
+    hud_icon_arrow_head(pen, 0.8, -0.62, -1.06, 0.44);
 }
 
 /* A jug that pours. */
@@ -168,7 +152,7 @@ static void draw_rewind(const struct pen *pen, const struct hud_icon_style *styl
     }
     line(pen, style);
     pen_brush(pen, (const double(*)[2])points, POINTS, 0.07, 1.1 * LINE, 1.2 * LINE);
-    arrow_head(pen, points[POINTS - 1][0] + 0.03, points[POINTS - 1][1] - 0.06, -0.98, 0.42);
+    hud_icon_arrow_head(pen, points[POINTS - 1][0] + 0.03, points[POINTS - 1][1] - 0.06, -0.98, 0.42);
     BRUSH(pen, 0.1, 0.13, 0.15, {0, 0.06}, {0.15, 0.15}, {0.3, 0.26}); /* the short hand */
     BRUSH(pen, 0.1, 0.13, 0.14, {0, 0.06}, {0.06, -0.14}, {0.1, -0.26});
     wet(pen, style);
@@ -187,7 +171,7 @@ static void draw_undo(const struct pen *pen, const struct hud_icon_style *style)
     line(pen, style);
     BRUSH(pen, 1.15 * LINE, 1.5 * LINE, 0.06, {-0.72, -0.24}, {-0.1, -0.42}, {0.52, -0.26}, {0.74, 0.18}, {0.5, 0.56},
           {0, 0.68});
-    arrow_head(pen, -0.82, -0.2, G_PI - 0.27, 0.5);
+    hud_icon_arrow_head(pen, -0.82, -0.2, G_PI - 0.27, 0.5);
 }
 
 static void draw_redo(const struct pen *pen, const struct hud_icon_style *style)
@@ -237,8 +221,8 @@ static void draw_hand(const struct pen *pen, const struct hud_icon_style *style)
     line(pen, style);
     BRUSH(pen, 0.11, 0.13, 0.11, {-0.7, 0.78}, {0, 0.8}, {0.7, 0.78});
     cairo_save(pen->cairo);
-    arrow_head(pen, 0.8, 0.78, 0, 0.34);
-    arrow_head(pen, -0.8, 0.78, G_PI, 0.34);
+    hud_icon_arrow_head(pen, 0.8, 0.78, 0, 0.34);
+    hud_icon_arrow_head(pen, -0.8, 0.78, G_PI, 0.34);
     cairo_restore(pen->cairo);
 }
 
@@ -287,7 +271,7 @@ static void draw_back(const struct pen *pen, const struct hud_icon_style *style)
 {
     line(pen, style);
     BRUSH(pen, 1.2 * LINE, 1.4 * LINE, 0.08, {-0.7, 0}, {0, -0.04}, {0.82, 0.02});
-    arrow_head(pen, -0.82, 0, G_PI, 0.56);
+    hud_icon_arrow_head(pen, -0.82, 0, G_PI, 0.56);
 }
 
 /* A door, and the way out of it. */
@@ -303,18 +287,33 @@ static void draw_exit(const struct pen *pen, const struct hud_icon_style *style)
     cairo_line_to(pen->cairo, 0.12, 0.5);
     cairo_stroke(pen->cairo);
     BRUSH(pen, 0.08, 1.3 * LINE, 1.1 * LINE, {-0.4, 0}, {0.2, 0.02}, {0.8, 0});
-    arrow_head(pen, 0.9, 0, 0, 0.44);
+    hud_icon_arrow_head(pen, 0.9, 0, 0, 0.44);
 }
 
 void hud_icon_draw(const struct pen *pen, enum hud_icon icon, double x, double y, double radius,
                    const struct hud_icon_style *style)
 {
     static void (*const DRAW[ICONS])(const struct pen *, const struct hud_icon_style *) = {
-        [ICON_DROP] = draw_drop, [ICON_BRUSH] = draw_brush,   [ICON_GUIDE] = draw_guide,
-        [ICON_POUR] = draw_pour, [ICON_MASK] = draw_mask,     [ICON_REWIND] = draw_rewind,
-        [ICON_UNDO] = draw_undo, [ICON_REDO] = draw_redo,     [ICON_FINISH] = draw_finish,
-        [ICON_HAND] = draw_hand, [ICON_SEATED] = draw_seated, [ICON_LANGUAGE] = draw_language,
-        [ICON_MORE] = draw_more, [ICON_BACK] = draw_back,     [ICON_EXIT] = draw_exit,
+        [ICON_DROP] = draw_drop,
+        [ICON_BRUSH] = draw_brush,
+        [ICON_GUIDE] = draw_guide,
+        [ICON_POUR] = draw_pour,
+        [ICON_MASK] = draw_mask,
+        [ICON_REWIND] = draw_rewind,
+        [ICON_UNDO] = draw_undo,
+        [ICON_REDO] = draw_redo,
+        [ICON_FINISH] = draw_finish,
+        [ICON_HAND] = draw_hand,
+        [ICON_SEATED] = draw_seated,
+        [ICON_LANGUAGE] = draw_language,
+        [ICON_PLANT] = hud_icon_plant,
+        [ICON_TEND] = hud_icon_tend,
+        [ICON_THIN] = hud_icon_thin,
+        [ICON_PICTURE] = hud_icon_picture,
+        [ICON_METAPHOR] = hud_icon_metaphor,
+        [ICON_MORE] = draw_more,
+        [ICON_BACK] = draw_back,
+        [ICON_EXIT] = draw_exit,
     };
     cairo_save(pen->cairo);
     cairo_translate(pen->cairo, x, y);

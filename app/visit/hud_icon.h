@@ -11,9 +11,14 @@ enum hud_icon {
     ICON_POUR,
     ICON_MASK,
     ICON_REWIND,
+    ICON_PLANT,
+    ICON_TEND,
+    ICON_THIN,
     ICON_UNDO,
     ICON_REDO,
     ICON_FINISH,
+    ICON_PICTURE,  /* a framed one */
+    ICON_METAPHOR, /* a leaf that becomes a star of frost */
     ICON_HAND,     /* two ways */
     ICON_SEATED,   /* somebody in a wheelchair */
     ICON_LANGUAGE, /* an empty bubble of speech */
@@ -27,6 +32,12 @@ struct hud_icon_style {
     struct pen_colour line, wet, ground; /* strokes; ink that it drips; what is behind it */
     bool mirrored;
 };
+
+/* What ICON_PICTURE frames, in radii from its middle. */
+#define HUD_FRAME_LEFT   (-0.78)
+#define HUD_FRAME_TOP    (-0.76)
+#define HUD_FRAME_WIDTH  1.44
+#define HUD_FRAME_HEIGHT 1.14
 
 /* A pictogram within `radius` pixels around x, y. */
 void hud_icon_draw(const struct pen *pen, enum hud_icon icon, double x, double y, double radius,

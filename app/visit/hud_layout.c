@@ -10,7 +10,7 @@ static const float LABELLED_WIDEST = 30;                                   /* mm
 static const float LABELLED_NARROW = 23;                                   /* wider words take two lines */
 static const float GROUP_GAP = 2.5f;                                       /* mm more between groups */
 
-enum group { GROUP_INKS, GROUP_TOOLS, GROUP_DEEDS, GROUP_OTHERS };
+enum group { GROUP_INKS, GROUP_TOOLS, GROUP_CHOICES, GROUP_DEEDS, GROUP_OTHERS };
 enum { FOLDS = 4 }; /* nothing, the others, tools too, inks too */
 
 struct list {
@@ -33,19 +33,27 @@ struct grid {
     float gap, along;    /* gap; the strip's length without its padding */
 };
 
+int hud_kind_of_scene(const struct hud *hud)
+{
+    const struct exhibit *exhibit = hud->def.exhibit;
+    int scene = hud->def.scene;
+    return scene >= 0 && scene < exhibit->scene_count ? exhibit->scenes[scene].kind : SCENE_PAINTING;
+}
+
 int hud_inks(const struct hud *hud)
 {
     const struct exhibit *exhibit = hud->def.exhibit;
     int scene = hud->def.scene;
     const struct script *script = scene >= 0 && scene < exhibit->scene_count ? exhibit->scenes[scene].script : NULL;
-    return script ? script->ink_count : 0;
+    return script && exhibit->scenes[scene].kind == SCENE_PAINTING ? script->ink_count : 0;
 }
 
 const char *hud_label(const struct hud *hud, const struct hud_button *button, int *language)
 {
     static const enum exhibit_text TEXTS_OF[HUD_KINDS] = {
-        [HUD_UNDO] = TEXT_UNDO,     [HUD_REDO] = TEXT_REDO, [HUD_FINISH] = TEXT_FINISH,
-        [HUD_SEATED] = TEXT_SEATED, [HUD_HAND] = TEXT_HAND, [HUD_LANGUAGE] = TEXT_LANGUAGE,
+        [HUD_UNDO] = TEXT_UNDO,       [HUD_REDO] = TEXT_REDO,         [HUD_FINISH] = TEXT_FINISH,
+        [HUD_SEATED] = TEXT_SEATED,   [HUD_HAND] = TEXT_HAND,         [HUD_LANGUAGE] = TEXT_LANGUAGE,
+        [HUD_PICTURE] = TEXT_PICTURE, [HUD_METAPHOR] = TEXT_METAPHOR,
     };
     *language = hud->language;
     switch (button->kind) {
@@ -57,6 +65,8 @@ const char *hud_label(const struct hud *hud, const struct hud_button *button, in
     case HUD_UNDO:
     case HUD_REDO:
     case HUD_FINISH:
+    case HUD_PICTURE:
+    case HUD_METAPHOR:
     case HUD_HAND:
     case HUD_SEATED:
         break;
@@ -85,15 +95,25 @@ static void list_inks(const struct hud *hud, int panel, struct list *list)
 static void list_tools(const struct hud *hud, struct list *list)
 {
     const struct exhibit_palette *palette = &hud->def.exhibit->palette;
+    int kind = hud_kind_of_scene(hud), first = (int)tool_first(kind);
     bool any = false;
-    for (int i = TOOL_DROP + 1; i < TOOLS; i++) {
+    for (int i = first + 1; tool_fits(i, kind); i++) {
         any = any || palette->tools[i];
     }
-    for (int i = TOOL_DROP; i < TOOLS && any; i++) {
-        if (i == TOOL_DROP || palette->tools[i]) {
+    for (int i = first; tool_fits(i, kind) && any; i++) {
+        if (i == first || palette->tools[i]) {
             add(list, GROUP_TOOLS, HUD_TOOL, i);
         }
     }
+}
+
+/* What grows over what. */
+static void list_choices(const struct hud *hud, struct list *list)
+{
+    if (hud->def.exhibit->pictures) {
+        add(list, GROUP_CHOICES, HUD_PICTURE, 0);
+    }
+    add(list, GROUP_CHOICES, HUD_METAPHOR, 0);
 }
 
 static void list_others(const struct hud *hud, struct list *list)
@@ -134,6 +154,13 @@ static struct list list_all(const struct hud *hud, int panel, int folds)
     if (folds > 1) {
         fold(&list, from, HUD_TOOL, hud->panels[panel].tool);
     }
+    if (hud_kind_of_scene(hud) == SCENE_TREES) {
+        from = list.count;
+        list_choices(hud, &list);
+        if (folds > 2) {
+            fold(&list, from, HUD_PICTURE, 0);
+        }
+    }
     if (palette->undo) {
         add(&list, GROUP_DEEDS, HUD_UNDO, 0);
         add(&list, GROUP_DEEDS, HUD_REDO, 0);
@@ -158,6 +185,8 @@ static struct list list_open(const struct hud *hud, int panel)
         list_inks(hud, panel, &list);
     } else if (open == HUD_TOOL) {
         list_tools(hud, &list);
+    } else if (open == HUD_PICTURE) {
+        list_choices(hud, &list);
     } else if (open == HUD_MORE) {
         add(&list, GROUP_OTHERS, HUD_MORE, 0); /* the way back */
         list_others(hud, &list);

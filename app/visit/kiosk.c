@@ -52,7 +52,8 @@ struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us)
     kiosk->sheet = def->stage.sheet(def->stage.context).number;
     if (def->resume) {
         kiosk->scene = def->scene;
-        kiosk->grounded = true;
+        kiosk->grounded = kiosk->stocked = true;
+        kiosk->growth = kiosk_scene(kiosk)->growth;
         visit_resume(&kiosk->visit, kiosk->exhibit, now_us);
     } else {
         visit_init(&kiosk->visit, kiosk->exhibit, now_us);
@@ -86,6 +87,7 @@ static void choose_again(struct kiosk *kiosk)
 void kiosk_controls(struct kiosk *kiosk, struct controls *controls)
 {
     kiosk->controls = controls;
+    kiosk_stand_dials(kiosk);
     choose_again(kiosk);
 }
 
@@ -99,11 +101,31 @@ static struct kiosk_sheet sheet_of(const struct kiosk *kiosk)
     return kiosk->def.stage.sheet(kiosk->def.stage.context);
 }
 
+/* What a scene has on every fresh sheet: a guide, a mask; or a picture to grow over. */
+static void lay_ground(struct kiosk *kiosk)
+{
+    const struct exhibit_scene *scene = kiosk_scene(kiosk);
+    if (kiosk->grounded) {
+        return;
+    }
+    kiosk->grounded = true;
+    if (scene->kind == SCENE_TREES) {
+        kiosk_lay_garden(kiosk);
+        return;
+    }
+    for (int i = 0; i < scene->ground_count; i++) {
+        kiosk_post(kiosk, &scene->ground[i], 0);
+    }
+}
+
 static void fresh_sheet(struct kiosk *kiosk)
 {
     kiosk->sheet = sheet_of(kiosk).number + 1;
     kiosk->grounded = kiosk->begun = kiosk->washing = false;
     kiosk->def.stage.fresh(kiosk->def.stage.context);
+    if (kiosk_has_trees(kiosk)) { /* at once: what visitors plant comes after it */
+        lay_ground(kiosk);
+    }
 }
 
 static void show_scene(struct kiosk *kiosk, int scene)
@@ -116,6 +138,8 @@ static void show_scene(struct kiosk *kiosk, int scene)
         const struct script *script = kiosk_scene(kiosk)->script;
         controls_scene(kiosk->controls, script->ink_count, &script->coefficients);
     }
+    kiosk->growth = kiosk_scene(kiosk)->growth;
+    kiosk_stand_dials(kiosk);
     choose_again(kiosk);
 }
 
@@ -189,16 +213,6 @@ void kiosk_obey(struct kiosk *kiosk, uint64_t now_us)
     }
 }
 
-/* What a scene has on every fresh sheet: a guide, a mask. */
-static void lay_ground(struct kiosk *kiosk)
-{
-    const struct exhibit_scene *scene = &kiosk->exhibit->scenes[kiosk->scene];
-    for (int i = 0; !kiosk->grounded && i < scene->ground_count; i++) {
-        kiosk_post(kiosk, &scene->ground[i], 0);
-    }
-    kiosk->grounded = true;
-}
-
 static void run_wash(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
 {
     struct action action;
@@ -230,7 +244,7 @@ static void run_attract(struct kiosk *kiosk, int64_t tick)
     if (!kiosk->begun) {
         attract_begin(kiosk->attract, kiosk->scene, (float)kiosk->def.width / (float)kiosk->def.height);
         kiosk->begun = true;
-        if (++kiosk->painted % 2 == 0 && kiosk->def.stage.guide &&
+        if (!kiosk_has_trees(kiosk) && ++kiosk->painted % 2 == 0 && kiosk->def.stage.guide &&
             kiosk->def.stage.guide(kiosk->def.stage.context, &action)) {
             kiosk_post(kiosk, &action, 0);
         }
@@ -259,6 +273,7 @@ static void run_sheet(struct kiosk *kiosk, uint64_t now_us)
         return;
     }
     lay_ground(kiosk);
+    kiosk_run_garden(kiosk);
     if (kiosk->washing) {
         run_wash(kiosk, sheet.tick, now_us);
     } else if (kiosk->attracting) {
@@ -332,7 +347,8 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
 {
     struct attract *attract = attract_create(exhibit, kiosk->def.seed + now_us);
     struct exhibit *old = kiosk->exhibit;
-    const char *id = kiosk_scene(kiosk)->id;
+    const struct exhibit_scene *before = kiosk_scene(kiosk);
+    const char *id = before->id;
     if (!attract) {
         return exhibit; /* memory is short: it stays as it is */
     }
@@ -351,8 +367,11 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     visit_reload(&kiosk->visit, exhibit, now_us);
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk_scene(kiosk)->script);
     kiosk_obey(kiosk, now_us);
-    if (kiosk->attracting) { /* what paints itself begins anew; what a visitor has painted stays */
+    bool other = kiosk_scene(kiosk)->kind != before->kind;
+    if (kiosk->attracting || other) { /* what paints itself begins anew; what a visitor has painted stays */
         fresh_sheet(kiosk);
+    } else if (kiosk_has_trees(kiosk)) {
+        kiosk_change_garden(kiosk, &before->growth);
     }
     return old;
 }

@@ -43,6 +43,9 @@ struct kiosk_stage {
     bool (*guide)(void *context, struct action *guide);
     /* Lines of "name\tvalue\n" for the staff; may be NULL. */
     void (*status)(void *context, char *lines, size_t size);
+    /* A picture to grow over, in a scene of trees (ACTION_STOCK): the one that it grows over, or the next; its raster
+     * is good until some more have been given. False: it is not read yet, or there is none. May be NULL. */
+    bool (*stock)(void *context, bool next, struct action *stock);
 };
 
 struct kiosk_def {

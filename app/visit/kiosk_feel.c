@@ -153,9 +153,18 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
 
 bool kiosk_act(struct kiosk *kiosk, const struct action *action, uint64_t event_us, uint64_t now_us)
 {
+    if (!kiosk_takes(kiosk, action->verb)) {
+        return true;
+    }
     visit_feel(&kiosk->visit, VISIT_PAINT, now_us);
     kiosk_obey(kiosk, now_us);
-    return !visit_paints(&kiosk->visit) || kiosk_post(kiosk, action, event_us);
+    if (!visit_paints(&kiosk->visit)) {
+        return true;
+    }
+    if (action->verb == ACTION_SHAPE) {
+        kiosk_take_shape(kiosk, action);
+    }
+    return kiosk_post(kiosk, action, event_us);
 }
 
 static void post_verb(struct kiosk *kiosk, enum action_verb verb, int visitor, uint64_t time_us)
@@ -190,6 +199,12 @@ void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t no
     case HUD_REDO:
         post_verb(kiosk, ACTION_REDO, press->seat + 1, press->time_us);
         break;
+    case HUD_PICTURE:
+        kiosk_next_picture(kiosk);
+        break;
+    case HUD_METAPHOR:
+        kiosk_next_metaphor(kiosk);
+        break;
     case HUD_FINISH:
         visit_feel(&kiosk->visit, VISIT_FINISH, now_us);
         break;
@@ -207,12 +222,12 @@ void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t no
     }
 }
 
-/* The next tool of those that are offered. */
+/* The next tool of those that are offered in this scene. */
 static int next_tool(const struct kiosk *kiosk, int tool)
 {
     for (int i = 1; i <= TOOLS; i++) {
         int next = (tool + i) % TOOLS;
-        if (next == TOOL_DROP || kiosk->exhibit->palette.tools[next]) {
+        if (tool_fits(next, kiosk_scene(kiosk)->kind) && kiosk->exhibit->palette.tools[next]) {
             return next;
         }
     }
@@ -253,6 +268,12 @@ void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
     case WISH_NEXT_LANGUAGE:
         kiosk->hud.language = hud_next_language(&kiosk->hud);
         hud_layout(&kiosk->hud);
+        break;
+    case WISH_NEXT_PICTURE:
+        kiosk_next_picture(kiosk);
+        break;
+    case WISH_NEXT_METAPHOR:
+        kiosk_next_metaphor(kiosk);
         break;
     case WISH_SWITCH:
         access_switch(&kiosk->access, wish->down, buttons_of(kiosk), wish->time_us);

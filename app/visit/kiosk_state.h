@@ -28,6 +28,12 @@ struct kiosk {
     struct wash wash;
     struct swallow swallow;
 
+    /* Of a scene of trees (kiosk_garden.c). */
+    struct growth_def growth; /* as it is now */
+    bool stocked;             /* the sheet has a picture */
+    bool wants_picture;       /* a visitor has asked for the next, which is not read yet */
+    int gardens;              /* begun */
+
     int sheet;        /* number of the sheet that is meant; what is posted is for it */
     bool grounded;    /* its ground has been laid */
     bool attracting;  /* it paints itself... */
@@ -71,6 +77,23 @@ bool kiosk_is_input(struct kiosk *kiosk, const struct event *event);
 void kiosk_choose(struct kiosk *kiosk, int seat);
 /* Tells the palettes which hands are busy. */
 void kiosk_busy(struct kiosk *kiosk, uint64_t now_us);
+
+/* kiosk_garden.c */
+bool kiosk_has_trees(const struct kiosk *kiosk);
+/* Whether a verb is one for this kind of scene: bindings may have some for both. */
+bool kiosk_takes(const struct kiosk *kiosk, enum action_verb verb);
+/* A fresh sheet: the picture, and how it grows. In attract it is another picture each time. */
+void kiosk_lay_garden(struct kiosk *kiosk);
+/* Pictures that are waited for. */
+void kiosk_run_garden(struct kiosk *kiosk);
+/* Dials, and the palette, stand where the growth is. */
+void kiosk_stand_dials(struct kiosk *kiosk);
+/* A visitor has set how it grows. */
+void kiosk_take_shape(struct kiosk *kiosk, const struct action *action);
+/* Another exhibit has this scene on the same sheet; it grew so before by its file. */
+void kiosk_change_garden(struct kiosk *kiosk, const struct growth_def *before);
+void kiosk_next_picture(struct kiosk *kiosk);
+void kiosk_next_metaphor(struct kiosk *kiosk);
 
 /* kiosk.c */
 void kiosk_layout(struct kiosk *kiosk);

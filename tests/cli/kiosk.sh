@@ -46,18 +46,34 @@ timeout 120 "$frond" run own.yaml --display headless --mode 320x200 --engine cpu
 running=$!
 wait_for "engine cpu" 100
 sleep 1
-printf 'exhibit: 1\nvisit: {idle: 30}\n' >own.yaml
-wait_for "own.yaml: taken up [0-9]* ms after it was changed" 50
-ms=$(sed -n 's/.*taken up \([0-9]*\) ms after.*/\1/p' err.txt | head -1)
-[ "${ms:-9999}" -lt 4000 ] || fail "taken up only after $ms ms"
-printf 'reload: %s ms\n' "${ms:-?}"
+# Within a second: the best of three, since the machine may do something else just then.
+best=9999
+for idle in 30 31 32; do
+    before=$(grep -c 'taken up' err.txt)
+    printf 'exhibit: 1\nvisit: {idle: %d}\n' "$idle" >own.yaml
+    left=50
+    until [ "$(grep -c 'own.yaml: taken up [0-9]* ms after it was changed' err.txt)" -gt "$before" ]; do
+        left=$((left - 1))
+        [ "$left" -gt 0 ] || {
+            fail "idle $idle is not taken up"
+            break
+        }
+        sleep 0.1
+    done
+    ms=$(sed -n 's/.*taken up \([0-9]*\) ms after.*/\1/p' err.txt | tail -1)
+    [ "${ms:-9999}" -ge "$best" ] || best=$ms
+    [ "$best" -ge 1000 ] || break
+done
+[ "$best" -lt 1000 ] || fail "taken up only after $best ms"
+printf 'reload: %s ms\n' "$best"
 printf 'exhibit: 1\nvisti: {idle: 30}\n' >own.yaml
 wait_for "the exhibit stays as it was" 50
 wait_for "own.yaml:2:1: visti: unknown key; did you mean visit?" 50
 kill -0 "$running" 2>/dev/null || fail "a wrong file has ended it"
+before=$(grep -c 'taken up' err.txt)
 printf 'exhibit: 1\nvisit: {idle: 40}\n' >own.yaml.new && mv own.yaml.new own.yaml # as editors do
 left=50
-until [ "$(grep -c "taken up" err.txt)" -ge 2 ]; do
+until [ "$(grep -c "taken up" err.txt)" -gt "$before" ]; do
     left=$((left - 1))
     [ "$left" -gt 0 ] || {
         fail "the mended file is not taken up"

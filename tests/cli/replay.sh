@@ -46,6 +46,20 @@ says ""
 [ "$(cd frames && echo *)" = "000025.png 000050.png 000060.png" ] || fail "$last: other frames"
 [ "$(size_of frames/000025.png)" = 80x60 ] || fail "$last: frames of $(size_of frames/000025.png) pixels"
 
+# So are those that grow something over a picture, at any size, and on the way.
+expect 0 render "$data/sessions/trees.yaml" -o trees.png --size 320x240 --frames grown --every 30 --journal trees.frond
+says ""
+expect 0 replay trees.frond -o again.png --size 320x240 --frames regrown --every 30
+says ""
+cmp -s trees.png again.png || fail "$last: another picture than the session's"
+cmp -s grown/000030.png regrown/000030.png || fail "$last: another frame than the session's"
+cmp -s grown/000060.png grown/000090.png && fail "$last: nothing grows"
+sed '/stock:/d; /plant:/d; /tend:/d; /undo:/d; /redo:/d; /hold:/d; /shape:/d' "$data/sessions/trees.yaml" >bare.yaml
+expect 0 render bare.yaml -o bare.png --size 320x240
+cmp -s trees.png bare.png && fail "$last: nothing lies over the painting"
+expect 0 replay trees.frond -o trees-print.png --scale 4
+[ "$(size_of trees-print.png)" = 640x480 ] || fail "$last: the print has $(size_of trees-print.png) pixels"
+
 # A torn journal is played up to the tear, and says so; other files are refused in a line.
 head -c -9 a.frond >torn.frond
 expect 0 replay torn.frond -o torn.png

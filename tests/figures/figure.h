@@ -10,6 +10,7 @@ struct figure {
     const char *out;      /* folder for the sheets */
     bool keep;            /* what is drawn now is what later runs are compared with */
     int checks, failures; /* so far */
+    bool skipped;         /* what it wants is not there */
 };
 
 struct figure_group {
@@ -51,6 +52,11 @@ void figure_dendrites(struct figure *figure); /* figure_trees.c */
 void figure_metaphors(struct figure *figure);
 void figure_trees(struct figure *figure);
 void figure_composites(struct figure *figure);
+void figure_garden(struct figure *figure);      /* figure_garden.c */
+void figure_photographs(struct figure *figure); /* figure_photographs.c */
+void figure_hidden(struct figure *figure);
+void figure_portrait(struct figure *figure);  /* figure_portrait.c */
+void figure_laplacian(struct figure *figure); /* figure_laplacian.c */
 void figure_chemistry(struct figure *figure); /* figure_chemistry.c */
 void figure_classes(struct figure *figure);
 

@@ -20,11 +20,20 @@ static const struct hud_screen SCREENS[] = {
 };
 static const char *const SCREEN_FILES[] = {"7", "22-upright", "24"};
 
-enum scene { TOUCH, INVITE, LEFT, RIGHT, BOTTOM, SCANNED, OPEN, COUNTDOWN, THANKS, CLOSED, STATUS, SCENES };
+enum scene { TOUCH, INVITE, LEFT, RIGHT, BOTTOM, SCANNED, OPEN, TREES, COUNTDOWN, THANKS, CLOSED, STATUS, SCENES };
 static const char *const SCENE_NAMES[SCENES] = {
-    [TOUCH] = "attract, a touch", [INVITE] = "attract",     [LEFT] = "painting, left", [RIGHT] = "painting, other hand",
-    [BOTTOM] = "painting, below", [SCANNED] = "one switch", [OPEN] = "a group opened", [COUNTDOWN] = "countdown",
-    [THANKS] = "thanks",          [CLOSED] = "closed soon", [STATUS] = "staff",
+    [TOUCH] = "attract, a touch",
+    [INVITE] = "attract",
+    [LEFT] = "painting, left",
+    [RIGHT] = "painting, other hand",
+    [BOTTOM] = "painting, below",
+    [SCANNED] = "one switch",
+    [OPEN] = "a group opened",
+    [COUNTDOWN] = "countdown",
+    [TREES] = "trees",
+    [THANKS] = "thanks",
+    [CLOSED] = "closed soon",
+    [STATUS] = "staff",
 };
 static const char STATUS_LINES[] = "exhibit\tconfig/exhibits/table.yaml\nstate\tpainting, 41 s\nvisits\t1284\n"
                                    "frames\t16.7 ms median, 17.1 ms p95\nengine\tgpu, 720x405\ntemperature\t61.5 C\n"
@@ -63,7 +72,7 @@ static void draw_panel(struct hud *hud, enum scene scene, cairo_t *cairo)
     struct hud_press press;
     struct hud_panel *panel = &hud->panels[0];
     panel->can_undo = true;
-    hud_choose(hud, 0, scene == RIGHT ? TOOL_BRUSH : TOOL_DROP, scene == RIGHT ? 2 : 1);
+    hud_choose(hud, 0, scene == TREES ? TOOL_TEND : scene == RIGHT ? TOOL_BRUSH : TOOL_DROP, scene == RIGHT ? 2 : 1);
     panel->scanned = scene == SCANNED ? panel->count / 2 : -1;
     for (int i = 0; i < panel->count && scene == OPEN; i++) {
         if (panel->buttons[i].folded && !hud_press(hud, 0, i, 0, &press)) {
@@ -79,14 +88,32 @@ static void draw_panel(struct hud *hud, enum scene scene, cairo_t *cairo)
     hud_image_finish(&image);
 }
 
+/* A face, of two discs. */
+static void show_picture(struct hud *hud)
+{
+    enum { SIDE = 96 };
+    float values[SIDE * SIDE];
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        float x = (float)(i % SIDE) - 48, y = (float)(i / SIDE) - 44;
+        float face = hypotf(x, 0.8f * y), hair = hypotf(x, y + 12);
+        values[i] = face < 26 ? 0.7f - 0.01f * x : hair < 36 ? 0.05f : 0.35f;
+    }
+    hud_show_picture(hud, &(struct action_raster){values, SIDE, SIDE, 1});
+}
+
 static void draw_scene(const struct hud_screen *screen, enum scene scene, int language, cairo_t *cairo)
 {
     struct hud_case place;
     struct hud hud;
     struct hud_image image = {.rgba = NULL};
     hud_case_init(&place, screen, scene == BOTTOM ? SIDE_OF_BOTTOM : SIDE_OF_LEFT);
+    place.exhibit.scenes[0].kind = scene == TREES ? SCENE_TREES : SCENE_PAINTING;
+    place.exhibit.pictures = "pictures";
     struct hud_def def = hud_case_def(&place, screen);
     hud_init(&hud, &def);
+    if (language > 0) {
+        show_picture(&hud); /* in the first it is not read yet */
+    }
     hud.language = language;
     hud.panels[0].swapped = scene == RIGHT;
     hud_layout(&hud);

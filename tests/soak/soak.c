@@ -94,8 +94,8 @@ static void judge(struct soak *soak, const struct guest *guest, const struct fau
     struct controls_counts counts = controls_counts(soak->live.input.controls);
     soak_say(
         "%u visits in %.0f s: %d finished, %d walked away, %d of them came back in the countdown; the longest took "
-        "%.1f s from the last touch to attract",
-        visits, seconds, guest->finished, guest->walked, guest->teased, guest->longest_s);
+        "%.1f s from the last touch to attract; the one switch was pressed %d times",
+        visits, seconds, guest->finished, guest->walked, guest->teased, guest->longest_s, guest->switched);
     for (int i = 0; i < FAULT_KINDS; i++) {
         printf("%s%s %d", i > 0 ? ", " : "faults: ", fault_name((enum fault_kind)i), faults->fault[i].count);
     }

@@ -19,7 +19,7 @@ enum {
 };
 
 enum soak_source { SOAK_TOUCH, SOAK_PAD, SOAK_LINES, SOAK_SOURCES };
-enum soak_line { LINE_FINISH, LINE_STAFF }; /* numbers of the exhibit's buttons */
+enum soak_line { LINE_FINISH, LINE_STAFF, LINE_SWITCH }; /* numbers of the exhibit's buttons */
 
 struct soak {
     char root[64];     /* a folder of its own */

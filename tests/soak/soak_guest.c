@@ -129,6 +129,10 @@ static void paint(struct guest *guest, struct soak *soak)
         int pad = (int)soak_random(soak, 2);
         press(soak, SOAK_PAD, pad, control, 1);
         press(soak, SOAK_PAD, pad, control, 0);
+    } else if (what == 2) {
+        press(soak, SOAK_LINES, 0, LINE_SWITCH, 1);
+        guest->holds = true;
+        guest->switched++;
     } else {
         begin_stroke(guest, soak);
     }
@@ -165,6 +169,9 @@ static void act(struct guest *guest, struct soak *soak)
     if (guest->button) {
         finger(guest, soak, EVENT_UP, 0);
         guest->button = false;
+    } else if (guest->holds) {
+        press(soak, SOAK_LINES, 0, LINE_SWITCH, 0);
+        guest->holds = false;
     } else if (guest->state == GUEST_PAINTS) {
         paint(guest, soak);
     } else if (guest->state == GUEST_LEAVES) {

@@ -1,5 +1,5 @@
-/* Somebody who comes, paints, and goes: with a finger or four, the palette, a controller, a button on the wall; who
- * finishes, or walks away. */
+/* Somebody who comes, paints, and goes: with a finger or four, the palette, a controller, a button on the wall, one
+ * switch; who finishes, or walks away. */
 #ifndef FROND_SOAK_GUEST_H
 #define FROND_SOAK_GUEST_H
 
@@ -18,11 +18,13 @@ struct guest {
     int device;     /* the glass */
     float x[SOAK_FINGERS], y[SOAK_FINGERS];
     bool button;  /* a finger is on a button, and leaves next */
+    bool holds;   /* the one switch is down, and comes up next */
     bool staff;   /* the status view is up: it is put away next */
     bool teases;  /* touches the sheet once more when the countdown is there */
     bool retired; /* comes no more */
     double longest_s;
     int finished, walked, teased; /* visits, by their end */
+    int switched;                 /* presses of the one switch */
 };
 
 /* Does what is due. */

@@ -14,6 +14,7 @@
 #include "exhibit.h"
 #include "explain.h"
 #include "inputs.h"
+#include "script_structure.h"
 
 enum { DEPTH = 24, COLUMNS = 118 };
 
@@ -62,6 +63,7 @@ static void add_tables(struct example *example)
         {"exhibit", ""},
         {"palettes", "palettes[]"},
         {"scenes", "scenes[]"},
+        {"structures", "scenes[].structures[]"},
         {"seats", "seats[]"},
         {"schedule", "schedule[]"},
         {"touch", "inputs.touch"},
@@ -80,6 +82,7 @@ static void add_tables(struct example *example)
         {"cursor", "inputs.bindings[].cursor"},
         {"length", "inputs.bindings[].length"},
     };
+    struct key trees[EXHIBIT_TREES_KEYS], structure[SCRIPT_STRUCTURE_KEYS];
     const struct inputs_table *const files[] = {exhibit_tables, inputs_tables};
     for (int f = 0; f < 2; f++) {
         for (const struct inputs_table *one = files[f]; one->name; one++) {
@@ -91,6 +94,11 @@ static void add_tables(struct example *example)
         }
     }
     add(example, "scenes[].painting", coefficient_keys);
+    exhibit_trees_keys(trees);
+    add(example, "scenes[].trees", trees);
+    script_structure_keys(structure);
+    structure[1 + key_count(structure_keys)].name = NULL; /* options of growth stand under trees */
+    add(example, "scenes[].structures[]", structure);
     add_verbs(example);
 }
 

@@ -26,8 +26,26 @@ static bool post(void *context, const struct action *action, uint64_t event_us)
     told->verb = action->verb;
     told->visitor = action->visitor;
     told->ink = action->ink;
+    told->picture = action->verb == ACTION_STOCK ? (int)action->picture.values[0] : 0;
+    told->growth = action->growth;
+    told->value = action->verb == ACTION_TEND ? action->amount : action->value;
+    told->has_at = action->has_at;
     told->at = action->path.count > 0 ? action->path.points[action->path.count - 1] : action->at;
     return !hall->act || hall->act(hall->context, action);
+}
+
+/* Pictures as numbers: one value each. */
+static bool stock(void *context, bool next, struct action *action)
+{
+    struct hall *hall = context;
+    if (hall->reading) {
+        return false;
+    }
+    hall->picture += next;
+    *action = action_default(ACTION_STOCK);
+    hall->shade = (float)hall->picture;
+    action->picture = (struct action_raster){&hall->shade, 1, 1, 1};
+    return true;
 }
 
 static void fresh(void *context)
@@ -83,8 +101,11 @@ static struct controls *controls_of(const struct exhibit *exhibit, struct inputs
     const struct script *script = exhibit->scenes[0].script;
     *own = exhibit->inputs ? NULL : inputs_default(script);
     struct controls *controls =
-        controls_create(&(struct controls_def){exhibit->inputs ? exhibit->inputs : *own, script->ink_count,
-                                               script->coefficients, exhibit->seats, exhibit->seat_count});
+        controls_create(&(struct controls_def){.inputs = exhibit->inputs ? exhibit->inputs : *own,
+                                               .inks = script->ink_count,
+                                               .coefficients = script->coefficients,
+                                               .seats = exhibit->seats,
+                                               .seat_count = exhibit->seat_count});
     assert_non_null(controls);
     return controls;
 }
@@ -108,7 +129,7 @@ static struct hall *open_hall(const char *yaml, int width, int height, bool resu
                             .seed = 1,
                             .built = 1700000000,
                             .resume = resume,
-                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL, NULL}};
+                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL, NULL, stock}};
     hall->kiosk = kiosk_create(&def, hall->now_us);
     assert_non_null(hall->kiosk);
     kiosk_controls(hall->kiosk, hall->controls);

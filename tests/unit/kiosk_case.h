@@ -17,7 +17,11 @@ struct hall_told {
     enum action_verb verb; /* of HALL_POST */
     int visitor, ink;
     struct point at;
-    bool on; /* of HALL_POWER */
+    bool has_at;
+    int growth;  /* of ACTION_SHAPE */
+    float value; /* of it; of ACTION_TEND the amount */
+    int picture; /* of ACTION_STOCK: hall.picture */
+    bool on;     /* of HALL_POWER */
     uint64_t us;
 };
 
@@ -31,6 +35,9 @@ struct hall {
     bool dark;
     struct hall_told told[HALL_TOLD];
     int count;
+    int picture;  /* that is grown over */
+    bool reading; /* the next one is not there yet */
+    float shade;
     const struct script *script;                             /* that was changed to last */
     bool (*act)(void *context, const struct action *action); /* NULL, or who does what is posted */
     void (*tick)(void *context, bool fresh);

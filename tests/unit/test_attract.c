@@ -390,6 +390,51 @@ static void a_hand_paints(void **state)
     free(stage);
 }
 
+/* One to three seeds, each in a part of its own, then strokes; a rest at the end in which nothing is done. */
+static void scenes_of_trees_are_planted_and_tended(void **state)
+{
+    (void)state;
+    struct played *played = calloc(1, sizeof *played);
+    struct stage *stage = a_stage(60, 345600);
+    uint64_t prints[20];
+    int counts[4] = {0};
+    assert_non_null(played);
+    stage->exhibit.scenes[1].kind = SCENE_TREES;
+    struct attract *attract = attract_create(&stage->exhibit, 5);
+    for (int k = 0; k < 20; k++) {
+        play(attract, 1, k % 2 ? 1.6f : 0.6f, played);
+        check_legal(played, 1);
+        int seeds = 0;
+        for (int i = 0; i < played->count; i++) {
+            const struct action *action = &played->actions[i];
+            assert_true(action->verb == ACTION_PLANT || (action->verb == ACTION_TEND && seeds > 0));
+            for (int j = 0; j < i && action->verb == ACTION_PLANT; j++) {
+                const struct action *other = &played->actions[j];
+                assert_true(other->verb != ACTION_PLANT || fabsf(other->at.x - action->at.x) > 0.15f);
+            }
+            seeds += action->verb == ACTION_PLANT;
+        }
+        assert_in_range(seeds, 1, 3);
+        counts[seeds]++;
+        assert_true(played->count > seeds && played->actions[0].tick < 5 * RATE);
+        assert_true(played->actions[played->count - 1].tick < played->ticks - 8 * RATE);
+        assert_int_equal(played->ticks, 60 * RATE);
+        prints[k] = attract_fingerprint(attract);
+        for (int i = 0; i < k; i++) {
+            assert_true(prints[i] != prints[k]);
+        }
+    }
+    assert_true(counts[1] > 0 && counts[2] > 0 && counts[3] > 0);
+    attract_destroy(attract);
+    stage->exhibit.visit.attract = 20; /* the least there is */
+    attract = attract_create(&stage->exhibit, 5);
+    play(attract, 1, 1.6f, played);
+    assert_true(played->count > 0);
+    attract_destroy(attract);
+    free(stage);
+    free(played);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -398,6 +443,7 @@ int main(void)
         cmocka_unit_test(no_two_of_a_day_are_the_same),
         cmocka_unit_test(recorded_sessions_are_varied),
         cmocka_unit_test(a_hand_paints),
+        cmocka_unit_test(scenes_of_trees_are_planted_and_tended),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -194,6 +194,43 @@ static void dials_turn_coefficients_and_drops(void **state)
     close_place(&place);
 }
 
+static void a_button_is_a_hand_until_it_is_let_go(void **state)
+{
+    (void)state;
+    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
+    struct place place = open_place("bindings: [{usage: Button 1, hold: {radius: 12}}, "
+                                    "{usage: Dial, turn: {growth: metaphor}}]\n");
+    control(&place, SOURCE_HID, 1, BUTTON_1, 1); /* in a painting there are no hands, and nothing is turned */
+    control(&place, SOURCE_HID, 1, BUTTON_1, 0);
+    steps(&place, SOURCE_HID, DIAL, 3);
+    wait_ms(&place, 200);
+    assert_false(take(&place));
+    controls_growth(place.controls, &ink);
+    control(&place, SOURCE_HID, 1, BUTTON_1, 1);
+    assert_true(take(&place) && place.action.verb == ACTION_HOLD && place.action.has_at);
+    assert_near(place.action.radius, 12, 0);
+    int hand = place.action.visitor;
+    assert_true(hand > EXHIBIT_SEATS && hand < CONTROLS_HANDS);
+    controls_reset(place.controls); /* another visit: it is lifted all the same */
+    control(&place, SOURCE_HID, 1, BUTTON_1, 0);
+    assert_true(take(&place) && place.action.verb == ACTION_HOLD && !place.action.has_at);
+    assert_int_equal(place.action.visitor, hand);
+    control(&place, SOURCE_HID, 1, BUTTON_1, 1);
+    assert_true(take(&place) && place.action.has_at);
+    controls_feel(place.controls, &(struct event){.kind = EVENT_LEFT, .source = SOURCE_HID, .device = 1});
+    assert_true(take(&place) && place.action.verb == ACTION_HOLD && !place.action.has_at);
+    steps(&place, SOURCE_HID, DIAL, 0.4f); /* a detent is a kind, and nothing is between two */
+    wait_ms(&place, 20);
+    assert_false(take(&place));
+    steps(&place, SOURCE_HID, DIAL, 0.7f);
+    wait_ms(&place, 20);
+    assert_true(take(&place) && place.action.verb == ACTION_SHAPE);
+    assert_string_equal(growth_keys[place.action.growth].name, "metaphor");
+    assert_near(place.action.value, METAPHOR_VINE, 0);
+    assert_false(take(&place));
+    close_place(&place);
+}
+
 static void gestures_reach_actions(void **state)
 {
     (void)state;
@@ -441,6 +478,7 @@ int main(void)
         cmocka_unit_test(a_gamepad_moves_a_point_and_drops_there),
         cmocka_unit_test(conditions_of_buttons),
         cmocka_unit_test(dials_turn_coefficients_and_drops),
+        cmocka_unit_test(a_button_is_a_hand_until_it_is_let_go),
         cmocka_unit_test(gestures_reach_actions),
         cmocka_unit_test(undo_is_asked_for_once),
         cmocka_unit_test(two_visitors_own_an_ink_each),

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "controls_case.h"
+#include "gesture.h"
 #include "hid_usage.h"
 #include "source_fake.h"
 #include "stroke.h"
@@ -155,6 +156,8 @@ enum { SEAT_COUNT = 3, VISITORS = EXHIBIT_SEATS + 8 };
 
 struct heard {
     int events, dried;
+    bool hands[CONTROLS_HANDS + GESTURE_FINGERS]; /* that lie there */
+    int holds;
     int switches[VISITORS], down[VISITORS]; /* told down; down now */
 };
 
@@ -183,6 +186,15 @@ static void hear_actions(struct place *place, struct heard *heard)
         actions++;
         heard->dried += action->verb == ACTION_DRY;
         assert_true(action->path.count <= STROKE_POINTS);
+        if (action->verb == ACTION_HOLD) {
+            assert_in_range(visitor, 1, CONTROLS_HANDS + GESTURE_FINGERS - 1);
+            heard->hands[visitor] = action->has_at;
+            heard->holds++;
+            continue;
+        }
+        if (action->verb == ACTION_SHAPE) {
+            continue; /* nobody's, as ACTION_SET */
+        }
         assert_true(visitor >= 0 && visitor < VISITORS && action->ink >= 0 && action->ink < INKS);
         assert_true(action->verb == ACTION_SET || (visitor != 0 && (visitor <= SEAT_COUNT || visitor > EXHIBIT_SEATS)));
         bool inked = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_INK;
@@ -226,6 +238,9 @@ static void assert_calm(struct place *place, const struct heard *heard)
     assert_false(controls_are_held(place->controls));
     for (int i = 0; i < VISITORS; i++) {
         assert_int_equal(heard->down[i], 0);
+    }
+    for (int i = 0; i < CONTROLS_HANDS + GESTURE_FINGERS; i++) {
+        assert_false(heard->hands[i]); /* every hand was lifted */
     }
 }
 
@@ -271,6 +286,7 @@ static void in_a_storm_devices_leave_and_visits_begin(void **state)
     struct place place;
     struct storm storm;
     struct heard heard = {.events = 0};
+    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
     open_storm(&place, &storm);
     for (int ms = 0; ms < STORM_MS; ms++) {
         blow(&storm);
@@ -288,6 +304,9 @@ static void in_a_storm_devices_leave_and_visits_begin(void **state)
         if (ms % 900 == 0) {
             controls_reset(place.controls);
         }
+        if (ms % 1300 == 0) { /* from one kind of scene to the other */
+            controls_growth(place.controls, ms % 2600 ? &ink : NULL);
+        }
         if (ms % 16 == 0 || ms == STORM_MS - 1) {
             hear(&place, &storm, &heard);
         }
@@ -300,6 +319,7 @@ static void in_a_storm_devices_leave_and_visits_begin(void **state)
     post_line(&storm, 0, false);
     post_line(&storm, 1, false);
     hear(&place, &storm, &heard);
+    assert_true(heard.holds > 50);
     assert_calm(&place, &heard);
     int switches = 0;
     for (int i = 0; i < VISITORS; i++) {

@@ -28,11 +28,6 @@ static struct place open_table(const char *bindings)
     return open_seats(bindings, TABLE, 2);
 }
 
-static struct place open_default(void)
-{
-    return open_place(strchr(inputs_default_text(), '\n') + 1);
-}
-
 static void device(struct place *place, enum event_kind kind, enum event_source source, uint32_t id)
 {
     struct event event = {.kind = kind, .source = source, .device = id, .time_us = place->now_us};
@@ -149,65 +144,6 @@ static void a_seat_paints_in_the_ink_that_it_has_chosen(void **state)
     assert_int_equal(controls_ink(place.controls, 0), 1);
     tap(&place, 0.1f, 0.5f);
     assert_int_equal(controls_ink(place.controls, 0), 2);
-    close_place(&place);
-}
-
-/* What the default does, tool by tool: what a press makes, what a drag makes. */
-static const struct {
-    enum exhibit_tool tool;
-    int press, drag; /* actions */
-    enum action_verb pressed[2], dragged[2];
-} TOOLS_DO[] = {
-    {TOOL_DROP, 1, 2, {ACTION_DROP}, {ACTION_BRUSH_SOLVENT, ACTION_BRUSH_INK}},
-    {TOOL_BRUSH, 2, 2, {ACTION_BRUSH_SOLVENT, ACTION_BRUSH_INK}, {ACTION_BRUSH_SOLVENT, ACTION_BRUSH_INK}},
-    {TOOL_GUIDE, 0, 1, {0}, {ACTION_GUIDE}},
-    {TOOL_POUR, 1, 1, {ACTION_POUR}, {ACTION_POUR}},
-    {TOOL_MASK, 1, 1, {ACTION_MASK}, {ACTION_MASK}},
-    {TOOL_REWIND, 1, 1, {ACTION_REWIND}, {ACTION_REWIND}},
-};
-
-static void assert_tools(struct place *place)
-{
-    assert_int_equal(sizeof TOOLS_DO / sizeof *TOOLS_DO, TOOLS);
-    for (size_t i = 0; i < TOOLS; i++) {
-        controls_set_tool(place->controls, 0, TOOLS_DO[i].tool);
-        assert_int_equal(controls_tool(place->controls, 0), TOOLS_DO[i].tool);
-        finger(place, EVENT_DOWN, 0, 0.5f, 0.5f);
-        for (int k = 0; k < TOOLS_DO[i].press; k++) {
-            assert_true(take(place) && place->action.visitor == 1);
-            assert_int_equal(place->action.verb, TOOLS_DO[i].pressed[k]);
-        }
-        assert_false(take(place));
-        controls_set_tool(place->controls, 0, TOOL_DROP); /* a finger goes on with what it has begun */
-        finger(place, EVENT_MOVE, 0, 0.6f, 0.5f);
-        finger(place, EVENT_MOVE, 0, 0.7f, 0.5f);
-        wait_ms(place, 10);
-        for (int k = 0; k < TOOLS_DO[i].drag; k++) {
-            assert_true(take(place) && place->action.visitor == 1);
-            assert_int_equal(place->action.verb, TOOLS_DO[i].dragged[k]);
-            bool along = place->action.verb != ACTION_POUR;
-            struct point end = along ? place->action.path.points[place->action.path.count - 1] : place->action.at;
-            assert_near(end.x, 0.7, 1e-6);
-            assert_int_equal(place->action.path.count, along ? 3 : 0);
-        }
-        assert_false(take(place));
-        finger(place, EVENT_UP, 0, 0.7f, 0.5f);
-    }
-}
-
-static void each_tool_does_what_it_is_for(void **state)
-{
-    (void)state;
-    struct place place = open_default();
-    assert_tools(&place);
-    close_place(&place);
-    /* Where a file says nothing of tools, or of fingers, they do the same. */
-    place = open_place("bindings: [{touch: press, drop: {}}, {touch: drag, brush_solvent: {}}, {touch: drag, "
-                       "brush_ink: {}}, {usage: Button 1, clear: {}}]\n");
-    assert_tools(&place);
-    close_place(&place);
-    place = open_place("bindings: [{usage: Button 1, clear: {}}]\n");
-    assert_tools(&place);
     close_place(&place);
 }
 
@@ -349,7 +285,9 @@ static void what_is_no_action_is_a_wish(void **state)
                  {"staff", WISH_STAFF},
                  {"next_tool", WISH_NEXT_TOOL},
                  {"next_scene", WISH_NEXT_SCENE},
-                 {"next_language", WISH_NEXT_LANGUAGE}};
+                 {"next_language", WISH_NEXT_LANGUAGE},
+                 {"next_picture", WISH_NEXT_PICTURE},
+                 {"next_metaphor", WISH_NEXT_METAPHOR}};
     assert_int_equal(sizeof KINDS / sizeof *KINDS + 1, WISHES);
     for (size_t i = 0; i < sizeof KINDS / sizeof *KINDS; i++) {
         char text[400];
@@ -582,7 +520,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_finger_belongs_to_the_seat_where_it_comes_down),
         cmocka_unit_test(a_seat_paints_in_the_ink_that_it_has_chosen),
-        cmocka_unit_test(each_tool_does_what_it_is_for),
         cmocka_unit_test(a_file_has_tools_of_its_own),
         cmocka_unit_test(fingers_of_two_seats_are_never_of_one_hand),
         cmocka_unit_test(controllers_keep_their_number),

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <math.h>
 #include <string.h>
 
 #include "deposit.h"
@@ -133,6 +134,41 @@ static void a_verb_that_only_changes_ground_lays_nothing(void **state)
     sheet_drop(&sheet);
 }
 
+/* The left half half dark, the right half white; half a cell of it is as much of a cell. */
+static void lays_pictures_and_formulas(void **state)
+{
+    (void)state;
+    static const enum action_verb VERBS[] = {ACTION_BRUSH_SOLVENT, ACTION_BRUSH_INK, ACTION_DRAW};
+    static float values[64 * 64];
+    struct sheet sheet = sheet_make(64, 64, 0);
+    for (int i = 0; i < 3; i++) {
+        struct action action = action_default(VERBS[i]);
+        for (int k = 0; k < 64 * 64; k++) {
+            values[k] = k % 64 < 32 ? 0.75f : 1;
+        }
+        action.picture = (struct action_raster){values, 64, 64, 1};
+        assert_float_equal(sums_of(&sheet, &action).cover, 0.25 * 64 * 32, 1e-3);
+        action.formula = action.picture; /* taken before it */
+        assert_float_equal(sums_of(&sheet, &action).cover, 0.75 * 64 * 32 + 64 * 32, 1e-3);
+        values[0] = -7;
+        values[1] = 7;
+        values[2] = NAN;
+        assert_float_equal(sums_of(&sheet, &action).cover, 0.75 * (64 * 32 - 3) + 64 * 32 + 1, 1e-3);
+    }
+    struct action line = action_default(ACTION_DRAW);
+    values[0] = values[1] = values[2] = 0.75f;
+    line.formula = (struct action_raster){values, 64, 64, 1};
+    ground_act(sheet.ground, &line);
+    assert_int_equal(ground_obstacle(sheet.ground, 9)[40], OBSTACLE_LINE);
+    line.formula = (struct action_raster){0};
+    line.picture = (struct action_raster){values, 64, 64, 1};
+    struct action clear = action_default(ACTION_CLEAR);
+    ground_act(sheet.ground, &clear);
+    ground_act(sheet.ground, &line);
+    assert_int_equal(ground_obstacle(sheet.ground, 9)[4], 0); /* a quarter dark is no line */
+    sheet_drop(&sheet);
+}
+
 /* Every cell outside of the rectangle that ground_act returns is as it was. */
 static void tells_which_ground_has_changed(void **state)
 {
@@ -180,6 +216,7 @@ int main(void)
         cmocka_unit_test(stays_on_the_sheet),
         cmocka_unit_test(leaves_out_what_lies_under_obstacles),
         cmocka_unit_test(a_verb_that_only_changes_ground_lays_nothing),
+        cmocka_unit_test(lays_pictures_and_formulas),
         cmocka_unit_test(tells_which_ground_has_changed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

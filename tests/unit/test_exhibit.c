@@ -148,6 +148,44 @@ static void scenes_have_inks_coefficients_and_a_ground(void **state)
     exhibit_destroy(exhibit);
 }
 
+/* What they lay on a fresh sheet, in order; the raster is that of the sheet, dark on the branches. */
+static void structures_become_ground(void **state)
+{
+    (void)state;
+    struct exhibit *exhibit = exhibit_case_good("exhibit: 1\n"
+                                                "sheet: {cells: 16384}\n"
+                                                "scenes:\n"
+                                                "  - id: face\n"
+                                                "    painting: {s_max: 0.2}\n"
+                                                "    structures:\n"
+                                                "      - {over: good.png, detail: 64, endpoints: 30}\n"
+                                                "      - {over: good.png, detail: 64, as: mask, width: 3}\n"
+                                                "      - {over: good.png, detail: 64, as: ink, strength: 0.5}\n"
+                                                "      - {over: good.png, as: relief, metaphor: frost}\n");
+    const struct exhibit_scene *scene = exhibit->scenes;
+    assert_int_equal(scene->ground_count, 4);
+    static const enum action_verb VERBS[] = {ACTION_GUIDE, ACTION_MASK, ACTION_DRAW, ACTION_SET};
+    for (int i = 0; i < 4; i++) {
+        const struct action *action = &scene->ground[i];
+        assert_int_equal(action->verb, VERBS[i]);
+        assert_int_equal(action->picture.channels, i == 0 ? 2 : 1);
+        assert_int_equal(action->picture.width, scene->script->width);
+        int dark = 0, cells = action->picture.width * action->picture.height;
+        for (int k = 0; k < cells; k++) {
+            dark += action->picture.values[k] < 0.5f;
+        }
+        assert_true(i == 0 || (dark > 20 && dark < cells));
+    }
+    assert_near(scene->ground[0].strength, 0.7, 1e-6);
+    assert_true(scene->ground[1].invert);
+    assert_near(scene->ground[2].amount, 0.5, 1e-6);
+    assert_int_equal(scene->ground[2].over, OVER_RUN);
+    assert_string_equal(coefficient_keys[scene->ground[3].coefficient].name, "s_max");
+    assert_near(scene->ground[3].value, 0.2, 1e-6);
+    assert_near(scene->ground[3].to, 0.06, 1e-6);
+    exhibit_destroy(exhibit);
+}
+
 static void files_are_found_beside_it(void **state)
 {
     (void)state;
@@ -303,6 +341,43 @@ static void a_text_tells_what_it_is(void **state)
     assert_false(exhibit_is("", 0));
 }
 
+static void scenes_of_trees_grow_as_their_metaphor_does_and_as_is_given(void **state)
+{
+    (void)state;
+    struct exhibit *exhibit = exhibit_case_good(
+        "exhibit: 1\n"
+        "pictures: fine\n"
+        "scenes:\n"
+        "  - {id: a}\n"
+        "  - {id: b, kind: trees}\n"
+        "  - {id: c, kind: trees, inks: [ochre], trees: {light: true, endpoints: 900, metaphor: vine, "
+        "over: good.png, gain: 1.25, metric: cumulative}}\n"
+        "  - {id: d, kind: trees, trees: {tree: true, picture: 0.5}}\n"
+        "seats: [{zone: [0, 0, 1, 1], ink: turquoise}]\n"); /* which trees need not have */
+    const struct exhibit_scene *scenes = exhibit->scenes;
+    struct growth_def ink = growth_preset(METAPHOR_INK, false), vine = growth_preset(METAPHOR_VINE, false);
+    assert_int_equal(scenes[0].kind, SCENE_PAINTING);
+    assert_int_equal(scenes[1].kind, SCENE_TREES);
+    assert_null(scenes[1].picture);
+    assert_memory_equal(&scenes[1].growth, &ink, sizeof ink);
+    vine.light = true;
+    vine.endpoints = 900;
+    vine.gain = 1.25f;
+    vine.metric = METRIC_CUMULATIVE;
+    assert_memory_equal(&scenes[2].growth, &vine, sizeof vine);
+    assert_string_equal(scenes[2].picture, "good.png");
+    struct growth_def tree = growth_preset(METAPHOR_INK, true);
+    tree.picture = 0.5f;
+    assert_memory_equal(&scenes[3].growth, &tree, sizeof tree);
+    exhibit_destroy(exhibit);
+    exhibit = exhibit_case_good("exhibit: 1\nscenes: [{id: a, kind: trees, trees: {over: good.png}}]\n");
+    exhibit_destroy(exhibit);
+    exhibit = exhibit_case_good("exhibit: 1\npalette: {tools: [pour, thin]}\n");
+    assert_true(exhibit->palette.tools[TOOL_PLANT] && exhibit->palette.tools[TOOL_THIN]);
+    assert_false(exhibit->palette.tools[TOOL_TEND]);
+    exhibit_destroy(exhibit);
+}
+
 static void a_file_is_read_where_it_lies(void **state)
 {
     struct script_def def = script_default_def();
@@ -366,7 +441,7 @@ static void every_row_is_whole(void **state)
             assert_true(section || (key->type == KEY_CHOICE) == (key->choices != NULL));
         }
     }
-    assert_int_equal(tables, 14);
+    assert_int_equal(tables, 15);
 }
 
 static int make_folder(void **state)
@@ -385,6 +460,7 @@ static int remove_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(structures_become_ground),
         cmocka_unit_test(a_version_alone_is_an_exhibit),
         cmocka_unit_test(screen_sheet_and_times_are_read),
         cmocka_unit_test(scenes_have_inks_coefficients_and_a_ground),
@@ -396,6 +472,7 @@ int main(void)
         cmocka_unit_test(inputs_are_those_of_an_inputs_file),
         cmocka_unit_test(other_inputs_have_another_mark),
         cmocka_unit_test(a_text_tells_what_it_is),
+        cmocka_unit_test(scenes_of_trees_grow_as_their_metaphor_does_and_as_is_given),
         cmocka_unit_test(a_file_is_read_where_it_lies),
         cmocka_unit_test(every_word_is_shipped),
         cmocka_unit_test(every_row_is_whole),

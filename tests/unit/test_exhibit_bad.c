@@ -17,8 +17,14 @@
     "exhibit, title, display, sheet, engine, languages, texts, palettes, scenes, pictures, sessions, palette, seats, " \
     "inputs, visit, access, schedule, wake, gallery, staff, mqtt"
 #define TEXT_KEYS                                                                                                      \
-    "invite, inks, drop, brush, guide, pour, mask, rewind, undo, redo, finish, hand, seated, language, countdown, "    \
+    "invite, inks, drop, brush, guide, pour, mask, rewind, plant, tend, thin, picture, "                               \
+    "metaphor, undo, redo, finish, hand, seated, language, countdown, "                                                \
     "stay, thanks, closed"
+#define TREES_KEYS                                                                                                     \
+    "one of over, metaphor, tree, metric, emphasis, endpoints, seed, gradient, intensity, blur, light, base, "         \
+    "picture, "                                                                                                        \
+    "random, upward, sideways, smooth, jitter, tip, gain, power, window, branch, step, trunk, mix, leaves, "           \
+    "tendrils, needles, iterations, primary, layers, side, radius, spacing, crown"
 #define LANGUAGE_TAGS "en, fr, ar, ja, de, es, it, zh"
 
 static const struct script_case BAD[] = {
@@ -29,6 +35,16 @@ static const struct script_case BAD[] = {
     {"another version", BYTES("exhibit: 2\n"), "s.yaml:1:10: exhibit: 2 is out of range; only 1\n"},
     {"the version as a text", BYTES("exhibit: '1'\n"),
      "s.yaml:1:10: exhibit: '1' is text, not a number: leave the quotes out; only 1\n"},
+    {"a structure that is nothing",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: a, structures: [{over: good.png, as: face}, {as: mask}, {over: no.png}]}\n"
+           "  - {id: b, kind: trees, trees: {over: good.png}, structures: [{over: good.png}]}\n"),
+     "s.yaml:3:47: scenes[0].structures[0].as: unknown choice 'face'; one of guide, mask, ink, relief\n"
+     "s.yaml:3:54: scenes[0].structures[1].over: missing; the path of a picture in this file's folder, 1 to 1000 "
+     "bytes\n"
+     "s.yaml:3:73: scenes[0].structures[2].over: 'no.png' is not there; a picture in this file's folder or below\n"
+     "s.yaml:4:63: scenes[1].structures: in a scene of trees; trees, or kind: painting\n"},
     {"unknown key",
      BYTES("exhibit: 1\n"
            "scene: []\n"),
@@ -203,6 +219,46 @@ static const struct script_case BAD[] = {
            "scenes: [{id: s0}, {id: s1}, {id: s2}, {id: s3}, {id: s4}, {id: s5}, {id: s6}, {id: s7}, {id: s8}, {id: "
            "s9}, {id: s10}, {id: s11}, {id: s12}, {id: s13}, {id: s14}, {id: s15}, {id: s16}]\n"),
      "s.yaml:2:9: scenes: a list of 17; at most 16\n"},
+    {"a kind of scene",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: wood, kind: tree}\n"),
+     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees\n"},
+    {"trees of a painting",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: wood, trees: {metaphor: vine}}\n"),
+     "s.yaml:3:23: scenes[0].trees: in a scene of paintings; kind: trees, or no trees\n"},
+    {"trees without a picture",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: wood, kind: trees}\n"
+           "  - {id: dusk, kind: trees, trees: {metaphor: vine}}\n"),
+     "s.yaml:3:5: scenes[0].trees.over: no picture to grow over; a path, or pictures: FOLDER in this file's folder, "
+     "with one in it\n"
+     "s.yaml:4:36: scenes[1].trees.over: no picture to grow over; a path, or pictures: FOLDER in this file's folder, "
+     "with one in it\n"},
+    {"trees over nothing",
+     BYTES("exhibit: 1\n"
+           "scenes: [{id: wood, kind: trees, trees: {over: text.png}}, {id: dusk, kind: trees, trees: 3}]\n"),
+     "s.yaml:2:48: scenes[0].trees.over: 'text.png' is broken; a PNG, JPEG, TIFF, EXR or WebP picture\n"
+     "s.yaml:2:91: scenes[1].trees.over: no picture to grow over; a path, or pictures: FOLDER in this file's folder, "
+     "with one in it\n"
+     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, endpoints: 3000, ...}; see frond explain trees\n"},
+    {"how trees grow",
+     BYTES("exhibit: 1\n"
+           "pictures: fine\n"
+           "scenes:\n"
+           "  - id: wood\n"
+           "    kind: trees\n"
+           "    trees: {metaphor: vines, endpoints: 2.5, gian: 2, branch: 65, light: maybe, plant: [[0, 0]]}\n"),
+     "s.yaml:6:23: scenes[0].trees.metaphor: unknown choice 'vines'; did you mean vine? One of ink, vine, lightning, "
+     "winter, frost, cracks, painted\n"
+     "s.yaml:6:41: scenes[0].trees.endpoints: 2.5 is not a whole number; 1 to 200000\n"
+     "s.yaml:6:46: scenes[0].trees.gian: unknown key; " TREES_KEYS "\n"
+     "s.yaml:6:63: scenes[0].trees.branch: 65 is out of range; 0 to 64 pixels\n"
+     "s.yaml:6:74: scenes[0].trees.light: 'maybe' is neither; true or false\n"
+     "s.yaml:6:81: scenes[0].trees.plant: unknown key; " TREES_KEYS "\n"},
     {"a palette of nobody",
      BYTES("exhibit: 1\n"
            "scenes:\n"
@@ -283,7 +339,7 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "palette: {tools: [brush, rewnd]}\n"),
      "s.yaml:2:26: palette.tools[1]: unknown tool 'rewnd'; did you mean rewind? One of drop, brush, guide, pour, mask, "
-     "rewind\n"},
+     "rewind, plant, tend, thin\n"},
     {"small buttons",
      BYTES("exhibit: 1\n"
            "palette: {target: 10}\n"),

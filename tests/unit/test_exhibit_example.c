@@ -15,6 +15,7 @@
 
 #include "example.h"
 #include "exhibit.h"
+#include "exhibit_case.h"
 #include "explain.h"
 
 static const char PATH[] = FROND_EXHIBITS "/touch-table.yaml";
@@ -130,10 +131,13 @@ static void shipped_words_are_shown(void **state)
     }
 }
 
-/* What names a file that is not there, an ink that not every scene has, or goes with no other key beside it. */
+/* What names a file that is not there, an ink that not every scene has, goes with no other key beside it, or is for
+ * scenes of trees. */
 static bool is_only_an_example(const struct example_row *row)
 {
     static const char *const NAMES[][2] = {{"scenes[]", "inks"},
+                                           {"scenes[]", "trees"},
+                                           {"scenes[]", "structures"},
                                            {"", "sessions"},
                                            {"inputs.controllers[].lamps[]", "usage"},
                                            {"inputs.bindings[].rinse", "at"}};
@@ -142,8 +146,9 @@ static bool is_only_an_example(const struct example_row *row)
     for (size_t i = 0; i < sizeof NAMES / sizeof *NAMES; i++) {
         named = named || (strcmp(row->place, NAMES[i][0]) == 0 && strcmp(key->name, NAMES[i][1]) == 0);
     }
-    return named || key->type == KEY_INK || key->type == KEY_PICTURE || key->type == KEY_RASTER ||
-           (key->type == KEY_TEXT && strncmp(key->unit, "the path", 8) == 0);
+    return named || strncmp(row->place, "scenes[].trees", 14) == 0 ||
+           strncmp(row->place, "scenes[].structures", 19) == 0 || key->type == KEY_INK || key->type == KEY_PICTURE ||
+           key->type == KEY_RASTER || (key->type == KEY_TEXT && strncmp(key->unit, "the path", 8) == 0);
 }
 
 /* Everything can be tried by taking its # away. */
@@ -175,6 +180,38 @@ static void it_is_right_without_its_marks(void **state)
     free(text);
 }
 
+/* The keys of trees, in a scene of trees. */
+static void its_trees_are_right_without_their_marks(void **state)
+{
+    const struct example *example = *state;
+    struct report report;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    assert_non_null(out);
+    fputs("exhibit: 1\nscenes:\n  - id: a\n    kind: trees\n    trees:\n", out);
+    for (int i = 0; i < example->line_count; i++) {
+        const struct example_line *line = &example->kinds[i];
+        if (line->row >= 0 && strcmp(example->rows[line->row].place, "scenes[].trees") == 0) {
+            bool over = example->rows[line->row].key.type == KEY_TEXT;
+            fprintf(out, "      %s\n", over ? "over: good.png" : example->lines[i] + line->column + line->commented);
+        }
+    }
+    assert_int_equal(fclose(out), 0);
+    report_init(&report, "example.yaml");
+    exhibit_case_folder();
+    struct exhibit *exhibit = exhibit_case_parse(text, size, &report);
+    report_print(&report, stderr);
+    assert_non_null(exhibit);
+    struct growth_def ink = growth_preset(METAPHOR_INK, false);
+    assert_memory_equal(&exhibit->scenes[0].growth, &ink, sizeof ink);
+    assert_string_equal(exhibit->scenes[0].picture, "good.png");
+    exhibit_destroy(exhibit);
+    exhibit_case_remove();
+    report_finish(&report);
+    free(text);
+}
+
 static int read_example(void **state)
 {
     *state = example_read(PATH);
@@ -190,9 +227,10 @@ static int destroy_example(void **state)
 int main(int argc, char *argv[])
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_key_stands_in_it),  cmocka_unit_test(every_comment_is_that_of_its_table),
-        cmocka_unit_test(explain_says_the_same),   cmocka_unit_test(what_is_commented_out_is_the_default),
-        cmocka_unit_test(shipped_words_are_shown), cmocka_unit_test(it_is_right_without_its_marks),
+        cmocka_unit_test(every_key_stands_in_it),        cmocka_unit_test(every_comment_is_that_of_its_table),
+        cmocka_unit_test(explain_says_the_same),         cmocka_unit_test(what_is_commented_out_is_the_default),
+        cmocka_unit_test(shipped_words_are_shown),       cmocka_unit_test(its_trees_are_right_without_their_marks),
+        cmocka_unit_test(it_is_right_without_its_marks),
     };
     if (argc == 2 && strcmp(argv[1], "--write") == 0) {
         struct example *example = example_read(PATH);

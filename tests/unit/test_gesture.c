@@ -161,7 +161,7 @@ static void what_makes_no_sense_does_no_harm(void **state)
 static void strokes_keep_their_ends(void **state)
 {
     (void)state;
-    struct stroke stroke;
+    struct hand_stroke stroke;
     stroke_start(&stroke, (struct point){0, 0});
     assert_false(stroke_grew(&stroke));
     for (int i = 1; i <= 100; i++) {

@@ -139,6 +139,21 @@ static void lines_are_drawn(void **state)
     check(*state, &action, true, false);
 }
 
+static void pictures_are_laid(void **state)
+{
+    static const enum action_verb VERBS[] = {ACTION_BRUSH_SOLVENT, ACTION_BRUSH_INK, ACTION_DRAW};
+    static float values[48 * 48];
+    for (int i = 0; i < 48 * 48; i++) {
+        values[i] = (float)(i % 48 * (i / 48) % 17) / 16;
+    }
+    for (int i = 0; i < 3; i++) {
+        struct action action = action_default(VERBS[i]);
+        action.ink = 2;
+        action.picture = (struct action_raster){values, 48, 48, 1};
+        check(*state, &action, true, VERBS[i] == ACTION_DRAW);
+    }
+}
+
 static void growth_is_guided(void **state)
 {
     struct action action = along_the_stroke(ACTION_GUIDE);
@@ -280,6 +295,7 @@ int main(void)
         cmocka_unit_test(solvent_is_brushed),
         cmocka_unit_test(ink_is_brushed_where_it_is_carved),
         cmocka_unit_test(lines_are_drawn),
+        cmocka_unit_test(pictures_are_laid),
         cmocka_unit_test(growth_is_guided),
         cmocka_unit_test(ground_is_poured),
         cmocka_unit_test(obstacles_come_and_go),

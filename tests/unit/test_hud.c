@@ -200,7 +200,7 @@ static void groups_open_and_close(void **state)
     const struct hud_panel *panel = &place.hud.panels[0];
     int whole = panel->count;
     assert_false(press(&place, 0, HUD_TOOL, TOOL_DROP));
-    assert_true(panel->open == HUD_TOOL && panel->count == TOOLS);
+    assert_true(panel->open == HUD_TOOL && panel->count == TOOL_PLANT);
     assert_true(press(&place, 0, HUD_TOOL, TOOL_POUR) && place.press.value == TOOL_POUR);
     assert_true(panel->open == -1 && panel->count == whole && panel->tool == TOOL_POUR);
     assert_false(press(&place, 0, HUD_TOOL, TOOL_POUR)); /* it is the one in view now; the sheet closes it */

@@ -199,7 +199,7 @@ static void what_is_chosen_is_unmistakable(void **state)
     hud.panels[0].ink = 2;
     hud.panels[0].any_ink = false;
     hud_draw_panel(&hud, 0, &image);
-    for (int tool = 0; tool < TOOLS; tool++) {
+    for (int tool = 0; tool_fits(tool, SCENE_PAINTING); tool++) {
         double dark = button_darkness(&hud, &image, find(&hud, HUD_TOOL, tool), 0, 1);
         assert_true(tool == TOOL_POUR ? dark > 0.5 : dark < 0.3);
     }

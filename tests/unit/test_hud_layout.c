@@ -126,10 +126,15 @@ static void find_all(const struct hud *hud, int panel)
     for (int i = 0; i < hud_inks(hud); i++) {
         find_kind(hud, panel, HUD_INK, i, HUD_INK);
     }
-    for (int i = 0; i < TOOLS && palette->tools[TOOL_BRUSH]; i++) {
-        if (palette->tools[i]) {
+    int kind = hud_kind_of_scene(hud), first = (int)tool_first(kind);
+    for (int i = 0; i < TOOLS && palette->tools[first + 1]; i++) {
+        if (palette->tools[i] && tool_fits(i, kind)) {
             find_kind(hud, panel, HUD_TOOL, i, HUD_TOOL);
         }
+    }
+    if (kind == SCENE_TREES) {
+        find_kind(hud, panel, HUD_PICTURE, 0, HUD_PICTURE);
+        find_kind(hud, panel, HUD_METAPHOR, 0, HUD_PICTURE);
     }
     find_kind(hud, panel, HUD_UNDO, 0, HUD_KINDS);
     find_kind(hud, panel, HUD_REDO, 0, HUD_KINDS);
@@ -175,13 +180,15 @@ static void everything_fits_on_every_screen(void **state)
     (void)state;
     for (int s = 0; s < HUD_SCREENS; s++) {
         for (int side = SIDE_OF_LEFT; side <= SIDE_OF_BOTTOM; side++) {
-            for (int tools = 1; tools <= TOOLS; tools++) {
+            for (int tools = 1; tools <= TOOLS; tools++) { /* with those of trees, in a scene of trees */
                 struct hud_case place;
                 struct hud hud;
                 hud_case_init(&place, &hud_screens[s], (enum exhibit_side)side);
                 for (int i = tools; i < TOOLS; i++) {
                     place.exhibit.palette.tools[i] = false;
                 }
+                place.exhibit.scenes[0].kind = tools > TOOL_PLANT ? SCENE_TREES : SCENE_PAINTING;
+                place.exhibit.pictures = "pictures";
                 place.exhibit.palette.target = tools % 2 ? 15 : 18;
                 struct hud_def def = hud_case_def(&place, &hud_screens[s]);
                 hud_init(&hud, &def);

@@ -15,7 +15,11 @@
 #include "script_case.h"
 
 #define INPUTS_KEYS "inputs, visitors, touch, keyboards, controllers, other_controllers, gpio, bindings"
-#define USAGES      "a HID usage by name (X, Dial, Button 3) or number (0x00090003)"
+#define GROWTHS                                                                                                        \
+    "one of metaphor, tree, metric, emphasis, endpoints, seed, plant, gradient, intensity, blur, light, base, "        \
+    "picture, random, upward, sideways, smooth, jitter, tip, gain, power, window, branch, step, trunk, mix, leaves, "  \
+    "tendrils, needles, iterations, primary, layers, side, radius, spacing, crown, fork"
+#define USAGES "a HID usage by name (X, Dial, Button 3) or number (0x00090003)"
 
 static const struct script_case BAD[] = {
     {"empty", BYTES(""), "s.yaml:1:1: the file is empty; inputs: 1, and a list of bindings\n"},
@@ -52,7 +56,7 @@ static const struct script_case BAD[] = {
      "s.yaml:3:5: bindings[0]: no source is given; one of touch, usage, button, encoder, key\n"},
     {"no action", BYTES("inputs: 1\nbindings:\n  - {touch: tap}\n"),
      "s.yaml:3:5: bindings[0]: no action is given; one of " VERBS ", next_ink, finish, staff, next_tool, next_scene, "
-     "next_language, switch, cursor, turn, dial\n"},
+     "next_language, next_picture, next_metaphor, switch, cursor, turn, dial\n"},
     {"two sources", BYTES("inputs: 1\nbindings:\n  - {touch: tap, usage: X, drop: {}}\n"),
      "s.yaml:3:25: bindings[0].usage: a second source, after touch; a binding has one\n"},
     {"two actions", BYTES("inputs: 1\nbindings:\n  - {touch: tap, drop: {}, clear: {}}\n"),
@@ -87,7 +91,19 @@ static const struct script_case BAD[] = {
     {"a choice turned", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {coefficient: noise, from: 0, to: 1}}\n"),
      "s.yaml:3:36: bindings[0].turn.coefficient: noise is no number; set chooses it\n"},
     {"turn without an end", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {coefficient: s_max, from: 0}}\n"),
-     "s.yaml:3:22: bindings[0].turn.to: missing; -100 to 1000 as the coefficient\n"},
+     "s.yaml:3:22: bindings[0].turn.to: missing; 0 to 1.5 density per cell\n"},
+    {"turn of nothing", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {from: 0, to: 1}}\n"),
+     "s.yaml:3:22: bindings[0].turn.coefficient: missing; the name of a coefficient, or growth: an option of frond "
+     "grow\n"},
+    {"turn of two things",
+     BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {coefficient: s_max, growth: gain, from: 0, to: 1}}\n"),
+     "s.yaml:3:51: bindings[0].turn.growth: a coefficient is given too; one of the two\n"},
+    {"turn of growth", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: gian, from: 0, to: 1}}\n"),
+     "s.yaml:3:31: bindings[0].turn.growth: unknown option 'gian'; " GROWTHS "\n"},
+    {"turn of growth too far", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: gain, from: 0, to: 17}}\n"),
+     "s.yaml:3:50: bindings[0].turn.to: 17 is out of range; 0 to 16 pixels\n"},
+    {"turn of a place", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: fork, from: 0, to: 1}}\n"),
+     "s.yaml:3:31: bindings[0].turn.growth: fork is no single value; another option of frond grow\n"},
     {"length of what is not over",
      BYTES("inputs: 1\nbindings:\n  - {touch: press, drop: {}, "
            "length: {parameter: radius, from: 4, to: 9}}\n"),
@@ -102,14 +118,15 @@ static const struct script_case BAD[] = {
      "s.yaml:3:31: bindings[0].draw.path: a path of 9 points; at most 8 in a binding\n"},
     {"a tool", BYTES("inputs: 1\nbindings:\n  - {touch: tap, tool: musk, drop: {}}\n"),
      "s.yaml:3:24: bindings[0].tool: unknown choice 'musk'; did you mean mask? One of drop, brush, guide, pour, mask, "
-     "rewind\n"},
+     "rewind, plant, tend, thin\n"},
     {"a tool of no finger", BYTES("inputs: 1\nbindings:\n  - {usage: Button 1, tool: brush, drop: {}}\n"),
      "s.yaml:3:29: bindings[0].tool: goes with touch, not with usage; fingers have tools\n"},
     {"a tool of a key without its keyboard", BYTES("inputs: 1\nbindings:\n  - {key: F9, tool: brush, finish: {}}\n"),
      "s.yaml:3:11: bindings[0].key: no keyboard is admitted; keyboards: [{id: WORD, vendor: ID, product: ID}]\n"
      "s.yaml:3:21: bindings[0].tool: goes with touch, not with key; fingers have tools\n"},
     {"a tool that is a list", BYTES("inputs: 1\nbindings:\n  - {touch: tap, tool: [brush, guide], drop: {}}\n"),
-     "s.yaml:3:24: bindings[0].tool: a list where a name should be; one of drop, brush, guide, pour, mask, rewind\n"},
+     "s.yaml:3:24: bindings[0].tool: a list where a name should be; one of drop, brush, guide, pour, mask, rewind, "
+     "plant, tend, thin\n"},
     {"a switch that is dragged", BYTES("inputs: 1\nbindings:\n  - {touch: drag, switch: {}}\n"),
      "s.yaml:3:27: bindings[0].switch: goes down and comes up; touch: press, a usage, a button or a key\n"},
     {"a switch that is tapped", BYTES("inputs: 1\nbindings:\n  - {touch: tap, switch: {}}\n"),
@@ -253,10 +270,47 @@ static void tools_without_a_binding_have_the_default_ones(void **state)
         assert_true(expected > 0);
     }
     for (int i = 2; i < inputs->binding_count; i++) {
-        assert_true(inputs->bindings[i].source == BINDING_TOUCH && !inputs->bindings[i].has_length);
+        const struct binding *binding = &inputs->bindings[i];
+        assert_true(binding->source == BINDING_TOUCH || (binding->what == DO_TURN && binding->growth >= 0));
+        assert_false(binding->has_length);
     }
     inputs_destroy(inputs);
     inputs_destroy(whole);
+}
+
+static int count_dials(const struct inputs *inputs)
+{
+    int count = 0;
+    for (int i = 0; i < inputs->binding_count; i++) {
+        count += inputs->bindings[i].what == DO_TURN && inputs->bindings[i].growth >= 0;
+    }
+    return count;
+}
+
+static void growth_is_turned_by_the_default_dials_or_by_those_of_a_file(void **state)
+{
+    (void)state;
+    struct inputs *inputs =
+        parse("inputs: 1\nbindings: [{usage: Dial, turn: {coefficient: k, from: 1, to: 2}}]\n", NULL);
+    assert_int_equal(count_dials(inputs), 3);
+    assert_true(inputs->bindings[0].growth == -1);
+    inputs_destroy(inputs);
+    inputs = parse("inputs: 1\n"
+                   "bindings:\n"
+                   "  - {usage: Dial, turn: {growth: gain, from: 0.4, to: 4}}\n"
+                   "  - {usage: Wheel, turn: {growth: metaphor}}\n"
+                   "  - {usage: Wheel, turn: {growth: metric, from: 3, to: 1, steps: 8}}\n"
+                   "  - {usage: Wheel, turn: {growth: light}}\n",
+                   NULL);
+    assert_int_equal(count_dials(inputs), 4);
+    const struct binding *bindings = inputs->bindings;
+    assert_string_equal(growth_keys[bindings[0].growth].name, "gain");
+    assert_true(bindings[0].coefficient == -1 && bindings[0].axis.steps == 24);
+    assert_true(bindings[1].axis.from == 0 && bindings[1].axis.to == METAPHORS - 1); /* a detent each */
+    assert_true(bindings[1].axis.steps == METAPHORS - 1 && bindings[1].axis.smooth_ms == 0);
+    assert_true(bindings[2].axis.from == 3 && bindings[2].axis.to == 1 && bindings[2].axis.steps == 8);
+    assert_true(bindings[3].axis.to == 1 && bindings[3].axis.steps == 1);
+    inputs_destroy(inputs);
 }
 
 static void as_many_bindings_as_a_file_may_have(void **state)
@@ -336,6 +390,7 @@ int main(void)
         cmocka_unit_test(bad_files_are_told_word_for_word),
         cmocka_unit_test(a_file_becomes_what_it_says),
         cmocka_unit_test(tools_without_a_binding_have_the_default_ones),
+        cmocka_unit_test(growth_is_turned_by_the_default_dials_or_by_those_of_a_file),
         cmocka_unit_test(as_many_bindings_as_a_file_may_have),
         cmocka_unit_test(inks_are_the_sessions),
         cmocka_unit_test(the_default_is_valid),

@@ -78,7 +78,9 @@ static void lay(struct film *film, const struct kiosk_piece *piece)
 static void take_frame(struct film *film)
 {
     double sum = 0;
-    easel_draw(&film->picture, film->engine);
+    const struct easel_scene scene = {.engine = film->engine};
+    struct file_error error;
+    assert_true(easel_draw(&film->picture, &scene, &error));
     memcpy(film->rgb, film->picture.rgb, sizeof film->rgb);
     const struct kiosk_pieces *pieces = kiosk_look(film->hall->kiosk, film->hall->now_us);
     for (int i = 0; i < KIOSK_PIECES; i++) {

@@ -12,6 +12,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "kiosk_case.h"
 #include "live_input.h"
 #include "source_fake.h"
 
@@ -30,7 +31,7 @@ struct place {
     struct live_input input;
 };
 
-static struct place open_place(void)
+static struct place open_place(struct kiosk *kiosk, const struct live_clock *clock)
 {
     struct place place = {.display = NULL};
     struct display_def display_def = display_default_def();
@@ -52,7 +53,8 @@ static struct place open_place(void)
     studio_def.threads = 1;
     place.studio = studio_create(&studio_def, place.display, &studio_error);
     assert_non_null(place.studio);
-    assert_true(live_input_open(&place.input, place.script, place.display, &(struct live_input_def){.inputs = NULL}));
+    assert_true(live_input_open(&place.input, place.script, place.display,
+                                &(struct live_input_def){.kiosk = kiosk, .clock = *clock}));
     place.fake = source_fake_create(&(struct source_fake_def){.source = SOURCE_TOUCH}, &source_error);
     assert_true(place.fake && sources_add(place.input.sources, place.fake));
     return place;
@@ -100,7 +102,7 @@ static bool all_seen(const struct live_input *input)
 static void what_a_finger_does_is_followed_to_the_frame_that_shows_it(void **state)
 {
     (void)state;
-    struct place place = open_place();
+    struct place place = open_place(NULL, &(struct live_clock){.context = NULL});
     char text[200], line[200];
     int frames = 0;
     for (int i = 0; frames < FRAMES && i < PATIENCE_FRAMES; i++) {
@@ -135,10 +137,36 @@ static void what_a_finger_does_is_followed_to_the_frame_that_shows_it(void **sta
     close_place(&place);
 }
 
+/* The hall's kiosk counts from a second on. */
+static uint64_t hall_us(void *context, uint64_t real_us)
+{
+    return ((struct hall *)context)->now_us + real_us % 1000;
+}
+
+/* What a kiosk makes of events is tested elsewhere (test_kiosk.c): here, that it hears them, and posts. */
+static void a_kiosk_hears_events_and_gets_the_actions(void **state)
+{
+    (void)state;
+    struct hall *hall = hall_open("exhibit: 1\n"
+                                  "inputs: {bindings: [{touch: press, drop: {}}]}\n");
+    struct place place = open_place(hall->kiosk, &(struct live_clock){.kiosk_us = hall_us, .context = hall});
+    assert_string_equal(kiosk_state(hall->kiosk), "attract");
+    kiosk_controls(hall->kiosk, place.input.controls);
+    touch(&place, EVENT_DOWN, 0.5f);
+    live_input_feel(&place.input, place.display, place.studio);
+    assert_string_equal(kiosk_state(hall->kiosk), "painting");
+    assert_int_equal(kiosk_visits(hall->kiosk), 1);
+    assert_true(hall_painted(hall, 0, ACTION_DROP) > 0);
+    kiosk_controls(hall->kiosk, hall->controls);
+    close_place(&place);
+    hall_close(hall);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_a_finger_does_is_followed_to_the_frame_that_shows_it),
+        cmocka_unit_test(a_kiosk_hears_events_and_gets_the_actions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -189,7 +189,7 @@ static void paint(struct place *place, const struct checkpoint *from)
 static uint64_t play(const struct place *place, int threads, bool dense, struct player *player)
 {
     struct easel easel = {.def = {.engine = ENGINE_CPU, .threads = threads, .dense = dense}};
-    struct player_maker maker = {easel_make, &easel};
+    struct player_maker maker = {.make = easel_make, .data = &easel};
     struct file_error error;
     if (!player_open(player, place->writer.out.data, place->writer.out.size, &maker, &error)) {
         fail_msg("%s", error.text);

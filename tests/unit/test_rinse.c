@@ -11,7 +11,7 @@
 #include "painting.h"
 #include "rinse.h"
 
-enum { SIZE = 96, CELLS = SIZE * SIZE, GROWN = 150 };
+enum { SIZE = 96, CELLS = SIZE * SIZE, GROWN = 60 };
 
 static struct painting *grow(int threads, bool dense)
 {

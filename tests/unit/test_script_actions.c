@@ -139,7 +139,7 @@ static const struct script_case ACTIONS[] = {
            "inks: [cyan, magenta]\n"
            "actions:\n"
            "  - {tick: 1, draw: {ink: cyan}}\n"),
-     "s.yaml:4:21: actions[0].draw.path: missing; 1 to 10000 points [x, y], each 0 to 1 of the sheet\n"},
+     "s.yaml:4:21: actions[0].draw: no place is given; a path, a formula or a picture\n"},
     {"path empty",
      BYTES("frond: 1\n"
            "inks: [cyan, magenta]\n"
@@ -322,6 +322,46 @@ static const struct script_case ACTIONS[] = {
            "actions:\n"
            "  - {tick: 1, set: {coefficient: fluid_steps, value: 1.5}}\n"),
      "s.yaml:4:54: actions[0].set.value: 1.5 is not a whole number; 1 to 4 steps per tick\n"},
+    {"a shape out of range",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 1, shape: {growth: blur, value: 17}}\n"
+           "  - {tick: 1, shape: {growth: metaphor, value: 7}}\n"
+           "  - {tick: 1, shape: {growth: light, value: 2}}\n"
+           "  - {tick: 1, shape: {growth: smooth, value: 1.5}}\n"),
+     "s.yaml:4:44: actions[0].shape.value: 17 is out of range; 0 to 16 pixels\n"
+     "s.yaml:5:48: actions[1].shape.value: 7 is out of range; 0 to 6\n"
+     "s.yaml:6:45: actions[2].shape.value: 2 is out of range; 0 to 1\n"
+     "s.yaml:7:46: actions[3].shape.value: 1.5 is not a whole number; 0 to 64 passes\n"},
+    {"shapes that are none",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 1, shape: {growth: metaphor, value: vines}}\n"
+           "  - {tick: 1, shape: {growth: plant, value: 1}}\n"
+           "  - {tick: 1, shape: {growth: smooth}}\n"
+           "  - {tick: 1, shape: {growth: light, value: perhaps}}\n"),
+     "s.yaml:4:48: actions[0].shape.value: unknown choice 'vines'; did you mean vine? One of ink, vine, lightning, "
+     "winter, frost, cracks, painted\n"
+     "s.yaml:5:45: actions[1].shape.value: 'plant' cannot be shaped; plant says where it grows from\n"
+     "s.yaml:6:22: actions[2].shape.value: missing; 0 to 64 passes\n"
+     "s.yaml:7:45: actions[3].shape.value: 'perhaps' is neither; true or false\n"},
+    {"seeds without a picture",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 5, plant: {at: [0.5, 0.5]}}\n"
+           "  - {tick: 3, plant: {at: [0.5, 0.5]}}\n"
+           "  - {tick: 1, stock: {}}\n"),
+     "s.yaml:6:22: actions[2].stock: no picture is given; the path of one in this file's folder\n"},
+    {"seeds before there is a picture",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 5, plant: {at: [0.5, 0.5]}}\n"
+           "  - {tick: 3, plant: {at: [0.5, 0.5]}}\n"),
+     "s.yaml:5:5: actions[1].plant: there is no picture yet; a stock before it, or at the same tick\n"},
     {"anchor and alias",
      BYTES("frond: 1\n"
            "inks: [cyan, magenta]\n"

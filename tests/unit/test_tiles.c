@@ -70,6 +70,29 @@ static void assert_covered_once(const struct tiles *tiles)
     free(covered);
 }
 
+/* Whether cells [x0, x1) in rows of `run` are written by another run. */
+static bool others_write(const struct tiles *tiles, const struct run *run, int x0, int x1)
+{
+    bool others = false;
+    for (int i = 0; i < tiles->run_count; i++) {
+        const struct run *other = &tiles->runs[i];
+        others =
+            others || (other != run && other->y0 < run->y1 && other->y1 > run->y0 && other->x0 < x1 && other->x1 > x0);
+    }
+    return others;
+}
+
+/* A run's first step reads HALO cells beyond its own on either side, and their neighbours; what it reads and others
+ * write must be saved before. */
+static void assert_guarded(const struct tiles *tiles)
+{
+    for (int i = 0; i < tiles->run_count; i++) {
+        const struct run *run = &tiles->runs[i];
+        assert_true(run->guarded[SIDE_LEFT] || !others_write(tiles, run, run->x0 - HALO - 1, run->x0));
+        assert_true(run->guarded[SIDE_RIGHT] || !others_write(tiles, run, run->x1, run->x1 + HALO + 1));
+    }
+}
+
 static void runs_cover_each_awake_tile_once(void **state)
 {
     (void)state;
@@ -85,6 +108,7 @@ static void runs_cover_each_awake_tile_once(void **state)
         }
         (void)awake_after(&tiles);
         assert_covered_once(&tiles);
+        assert_guarded(&tiles);
     }
     tiles_wake(&tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, true);
     assert_int_equal(tiles.awake_count, tiles.columns * tiles.rows);

@@ -1,0 +1,196 @@
+#include "structure.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fit.h"
+#include "stroke_raster.h"
+
+#define OF(field) .offset = offsetof(struct structure_def, field)
+
+const struct key structure_keys[] = {
+    {.name = "detail",
+     .type = KEY_INTEGER,
+     .unit = "nodes",
+     .min = 64,
+     .max = 2048,
+     .initial = 512,
+     OF(detail),
+     .meaning = "Nodes of the lattice along the picture's longer side."},
+    {.name = "width",
+     .type = KEY_NUMBER,
+     .unit = "cells",
+     .min = 0,
+     .max = 64,
+     .initial = 1,
+     OF(width),
+     .meaning = "How much wider every branch is than it grew."},
+    {.name = "fade",
+     .type = KEY_NUMBER,
+     .unit = "cells",
+     .min = 0,
+     .max = 64,
+     .initial = 6,
+     OF(fade),
+     .meaning = "Of a guide: how far around a branch its direction fades to nothing."},
+    {.name = NULL},
+};
+
+/* Where the picture lies on the sheet, cells. */
+struct frame {
+    int left, top, width, height;
+};
+
+static struct frame frame_of(const struct script_picture *picture, int width, int height)
+{
+    double across = (double)width / picture->width, down = (double)height / picture->height;
+    double scale = across < down ? across : down;
+    struct frame frame = {.width = (int)(picture->width * scale + 0.5), .height = (int)(picture->height * scale + 0.5)};
+    frame.width = frame.width < 1 ? 1 : frame.width > width ? width : frame.width;
+    frame.height = frame.height < 1 ? 1 : frame.height > height ? height : frame.height;
+    frame.left = (width - frame.width) / 2;
+    frame.top = (height - frame.height) / 2;
+    return frame;
+}
+
+/* A script's picture has its channels in order: grey, grey and alpha, RGB, RGBA. */
+static struct image image_of(const struct script_picture *picture)
+{
+    static const char *const NAMES[4][4] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
+    struct image image = {.width = picture->width,
+                          .height = picture->height,
+                          .channels = picture->channels,
+                          .alpha = picture->channels % 2 == 0 ? picture->channels - 1 : -1,
+                          .values = picture->values};
+    for (int c = 0; c < picture->channels; c++) {
+        snprintf(image.names[c], sizeof image.names[c], "%s", NAMES[picture->channels - 1][c]);
+    }
+    return image;
+}
+
+static struct growth *grow_over(const struct script_picture *picture, const struct growth_def *def, int detail)
+{
+    int width, height;
+    struct image image = image_of(picture);
+    fit_size(&image, detail, &width, &height);
+    width = width < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : width;
+    height = height < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : height;
+    struct growth *growth = NULL;
+    float *linear = fit_linear(&image, width, height);
+    float *grey = malloc((size_t)width * (size_t)height * sizeof *grey);
+    if (linear && grey) {
+        importance_grey(linear, width, height, 4, 3, grey);
+        growth = growth_create(grey, width, height, def);
+    }
+    free(linear);
+    free(grey);
+    return growth;
+}
+
+static float rounded(float value)
+{
+    return nearbyintf(value * 65536) / 65536;
+}
+
+static bool fill_dark(const struct growth *growth, const struct strokes *strokes, float scale, struct frame frame,
+                      int width, int height, float *values)
+{
+    struct stroke_raster raster;
+    bool good = stroke_raster_init(&raster, width, height, scale, (float)frame.left, (float)frame.top);
+    for (int layer = 0; layer < growth->layer_count && good; layer++) {
+        for (int kind = 0; kind < STROKE_KINDS; kind++) {
+            stroke_raster_draw(&raster, strokes, layer, (enum stroke_kind)kind, FLT_MAX);
+        }
+    }
+    for (int i = 0; i < width * height && good; i++) {
+        values[i] = 1 - rounded(raster.cover[i]);
+    }
+    stroke_raster_finish(&raster);
+    return good;
+}
+
+/* From one point to the next: cells. */
+struct piece {
+    float x, y, dx, dy, radius;
+};
+
+struct along {
+    int width, height;
+    float fade;
+    float *near; /* how strongly the branch that is nearest is felt, 0..1 */
+    float *values;
+};
+
+static void lay_piece(const struct along *along, const struct piece *piece)
+{
+    float square = piece->dx * piece->dx + piece->dy * piece->dy, length = sqrtf(square);
+    float reach = piece->radius + along->fade + 1;
+    float right = piece->x + (piece->dx > 0 ? piece->dx : 0) + reach, left = piece->x + (piece->dx < 0 ? piece->dx : 0);
+    float bottom = piece->y + (piece->dy > 0 ? piece->dy : 0) + reach, top = piece->y + (piece->dy < 0 ? piece->dy : 0);
+    size_t plane = (size_t)along->width * (size_t)along->height;
+    if (length <= 0) {
+        return;
+    }
+    for (int y = (int)fmaxf(top - reach, 0); y < along->height && (float)y <= bottom; y++) {
+        for (int x = (int)fmaxf(left - reach, 0); x < along->width && (float)x <= right; x++) {
+            float px = (float)x - piece->x, py = (float)y - piece->y;
+            float t = (px * piece->dx + py * piece->dy) / square;
+            t = t < 0 ? 0 : t > 1 ? 1 : t;
+            float ex = px - t * piece->dx, ey = py - t * piece->dy;
+            float out = (sqrtf(ex * ex + ey * ey) - piece->radius) / (along->fade + 1), near = 1 - (out > 0 ? out : 0);
+            size_t i = (size_t)y * (size_t)along->width + (size_t)x;
+            if (near > along->near[i]) {
+                along->near[i] = near;
+                along->values[i] = rounded(near * piece->dx / length);
+                along->values[plane + i] = rounded(near * piece->dy / length);
+            }
+        }
+    }
+}
+
+static bool fill_along(const struct strokes *strokes, float scale, struct frame frame, struct along *along)
+{
+    size_t cells = (size_t)along->width * (size_t)along->height;
+    memset(along->values, 0, 2 * cells * sizeof *along->values);
+    along->near = calloc(cells, sizeof *along->near);
+    for (int32_t s = 0; s < strokes->count && along->near; s++) {
+        const struct stroke *stroke = &strokes->strokes[s];
+        const struct stroke_point *points = strokes->points + stroke->first;
+        for (int32_t i = 0; i + 1 < stroke->count && stroke->kind == STROKE_BRANCH; i++) {
+            const struct piece piece = {.x = (float)frame.left + (points[i].x + 0.5f) * scale - 0.5f,
+                                        .y = (float)frame.top + (points[i].y + 0.5f) * scale - 0.5f,
+                                        .dx = (points[i + 1].x - points[i].x) * scale,
+                                        .dy = (points[i + 1].y - points[i].y) * scale,
+                                        .radius = points[i].radius * scale};
+            lay_piece(along, &piece);
+        }
+    }
+    bool good = along->near;
+    free(along->near);
+    return good;
+}
+
+bool structure_raster(const struct script_picture *picture, const struct growth_def *growth_def,
+                      const struct structure_def *def, enum structure_kind kind, int width, int height, float *values)
+{
+    struct frame frame = frame_of(picture, width, height);
+    struct growth *growth = grow_over(picture, growth_def, def->detail);
+    struct strokes strokes = {0};
+    bool good = growth && growth_strokes(growth, &strokes);
+    if (good) {
+        int longer = frame.width > frame.height ? frame.width : frame.height;
+        float scale = (float)longer / (float)def->detail;
+        for (int32_t i = 0; i < strokes.point_count; i++) {
+            strokes.points[i].radius += 0.5f * def->width / scale;
+        }
+        struct along along = {.width = width, .height = height, .fade = def->fade, .values = values};
+        good = kind == STRUCTURE_ALONG ? fill_along(&strokes, scale, frame, &along)
+                                       : fill_dark(growth, &strokes, scale, frame, width, height, values);
+    }
+    strokes_finish(&strokes);
+    growth_destroy(growth);
+    return good;
+}
