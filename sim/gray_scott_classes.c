@@ -12,7 +12,7 @@ const struct gray_scott_preset gray_scott_presets[] = {
     {"wavelets", "α", 0.010f, 0.047f, START_SPOTS, 10, CLASS_WAVES,
      "Wavelets that break, meet and put each other out."},
     {"voids", "β", 0.026f, 0.051f, START_SPOTS, 10, CLASS_WAVES, "An ocean in which voids open and fill."},
-    {"ripples", "γ", 0.024f, 0.0515f, START_SPOTS, 10, CLASS_WAVES, "Stripes that break and never come to rest."},
+    {"ripples", "γ", 0.024f, 0.0515f, START_SPOTS, 10, CLASS_WAVES, "Holes and stripes that flicker and never rest."},
     {"honeycomb", "δ", 0.042f, 0.059f, START_NOISE, 10, CLASS_HOLES, "Holes that settle into a honeycomb."},
     {"cells", "ε", 0.018f, 0.055f, START_SPOTS, 10, CLASS_WAVES,
      "Rings and spots that crowd each other out, for ever."},

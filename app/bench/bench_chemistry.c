@@ -6,7 +6,7 @@
 #include "bench.h"
 #include "gray_scott.h"
 
-enum { SIDE = 1024, STEPS = 64, REPEATS = 12, COMPARED = 21, COMPARED_SIDE = 200 };
+enum { SIDE = 1024, STEPS = 32, REPEATS = 30, COMPARED = 21, COMPARED_SIDE = 200 };
 
 static bool same(const struct gray_scott *a, const struct gray_scott *b)
 {
