@@ -36,6 +36,6 @@ void stroke_raster_clear(struct stroke_raster *raster);
 void stroke_raster_draw(struct stroke_raster *raster, const struct strokes *strokes, int layer, enum stroke_kind kind,
                         float grown);
 /* Draws one of them. */
-void stroke_raster_stroke(struct stroke_raster *raster, const struct strokes *strokes, int32_t stroke, float grown);
+void stroke_raster_stroke(struct stroke_raster *raster, const struct strokes *strokes, int32_t index, float grown);
 
 #endif
