@@ -12,6 +12,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "hud.h"
 #include "kiosk_case.h"
 #include "live_input.h"
 #include "source_fake.h"
@@ -88,10 +89,15 @@ static bool turn(struct place *place)
     return true;
 }
 
+static void touch_at(struct place *place, enum event_kind kind, float x, float y)
+{
+    struct event event = {.kind = kind, .slot = 0, .x = x, .y = y};
+    source_fake_post(place->fake, 0, &event);
+}
+
 static void touch(struct place *place, enum event_kind kind, float x)
 {
-    struct event event = {.kind = kind, .slot = 0, .x = x, .y = 0.5f};
-    source_fake_post(place->fake, 0, &event);
+    touch_at(place, kind, x, 0.5f);
 }
 
 static bool all_seen(const struct live_input *input)
@@ -143,7 +149,8 @@ static uint64_t hall_us(void *context, uint64_t real_us)
     return ((struct hall *)context)->now_us + real_us % 1000;
 }
 
-/* What a kiosk makes of events is tested elsewhere (test_kiosk.c): here, that it hears them, and posts. */
+/* What a kiosk makes of events is tested elsewhere (test_kiosk.c): here, that it hears them, takes
+ * what is its own, and posts the rest. */
 static void a_kiosk_hears_events_and_gets_the_actions(void **state)
 {
     (void)state;
@@ -156,7 +163,18 @@ static void a_kiosk_hears_events_and_gets_the_actions(void **state)
     live_input_feel(&place.input, place.display, place.studio);
     assert_string_equal(kiosk_state(hall->kiosk), "painting");
     assert_int_equal(kiosk_visits(hall->kiosk), 1);
-    assert_true(hall_painted(hall, 0, ACTION_DROP) > 0);
+    assert_int_equal(hall_painted(hall, 0, ACTION_DROP), 1);
+    touch(&place, EVENT_UP, 0.5f);
+    live_input_feel(&place.input, place.display, place.studio);
+    hall_wait(hall, 3); /* the palette is there again */
+    kiosk_controls(hall->kiosk, place.input.controls);
+    struct point button;
+    assert_true(hall_find(hall, 0, HUD_TOOL, TOOL_BRUSH, &button));
+    touch_at(&place, EVENT_DOWN, button.x, button.y);
+    touch_at(&place, EVENT_UP, button.x, button.y);
+    live_input_feel(&place.input, place.display, place.studio);
+    assert_int_equal(controls_tool(place.input.controls, 0), TOOL_BRUSH);
+    assert_int_equal(hall_painted(hall, 0, ACTION_DROP), 1); /* what is on the palette is for the kiosk alone */
     kiosk_controls(hall->kiosk, hall->controls);
     close_place(&place);
     hall_close(hall);
