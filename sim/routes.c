@@ -167,7 +167,9 @@ static inline void settle_all(struct routes *routes, enum metric metric)
         int32_t soon = route_queue_peek(&routes->queue);
         for (int row = -1; row <= 1 && soon >= 0; row++) { /* large pictures do not fit into any cache */
             __builtin_prefetch(&routes->label[soon + row * routes->lattice->stride]);
-            __builtin_prefetch(&routes->lattice->weight[soon + row * routes->lattice->stride]);
+            if (routes->lattice->weight) { /* graphs have none */
+                __builtin_prefetch(&routes->lattice->weight[soon + row * routes->lattice->stride]);
+            }
         }
         if (key == key_of(routes, metric, routes->label[node])) {
             expand(routes, metric, node);

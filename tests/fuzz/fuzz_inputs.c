@@ -27,6 +27,20 @@ static void check_lines(const struct inputs_lines *lines, int count)
     }
 }
 
+/* A dial turns a coefficient, or how trees grow, choices and flags among that; not both. */
+static void check_turn(const struct binding *binding)
+{
+    assert((binding->coefficient >= 0) != (binding->growth >= 0));
+    const struct key *key =
+        binding->growth >= 0 ? &growth_keys[binding->growth] : &coefficient_keys[binding->coefficient];
+    double most = key->type == KEY_FLAG ? 1 : key->max;
+    for (int i = 0; key->type == KEY_CHOICE && key->choices[i]; i++) {
+        most = i;
+    }
+    assert(binding->growth >= 0 || key->type != KEY_CHOICE);
+    assert(binding->axis.from >= (float)key->min && binding->axis.to <= (float)most);
+}
+
 static void check_binding(const struct inputs *inputs, const struct binding *binding)
 {
     assert(binding->source >= 0 && binding->source < BINDING_SOURCES);
@@ -37,8 +51,7 @@ static void check_binding(const struct inputs *inputs, const struct binding *bin
     if (binding->what == DO_VERB) {
         assert(binding->action.verb < ACTION_VERBS && binding->action.path.count <= STROKE_POINTS);
     } else if (binding->what == DO_TURN) {
-        const struct key *key = &coefficient_keys[binding->coefficient];
-        assert(key->type != KEY_CHOICE && binding->axis.from >= (float)key->min && binding->axis.to <= (float)key->max);
+        check_turn(binding);
     }
     assert(binding->tool >= 0 && binding->tool < TOOLS);
     assert(!binding_follows(binding) || (binding->axis.dead <= 0.9f && binding->axis.steps >= 1));
