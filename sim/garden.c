@@ -116,35 +116,13 @@ static unsigned work_of(const char *name)
 static void take_shape(struct garden *garden, const struct action *action)
 {
     const struct key *key = &growth_keys[action->growth];
-    struct growth_def *def = &garden->def.growth;
-    char *at = (char *)def + key->offset;
-    float value = action->value < 2e9f ? action->value : 2e9f;
-    int whole = (int)(value + 0.5f);
+    if (key->type == KEY_PATH || key->type == KEY_POINT) {
+        return; /* where it is planted, and where trees fork, are not values */
+    }
+    growth_take(&garden->def.growth, action->growth, action->value);
     if (strcmp(key->name, "metaphor") == 0 || strcmp(key->name, "tree") == 0) {
-        bool metaphor = key->type == KEY_CHOICE;
-        int seed = def->seed;
-        *def = growth_preset((enum metaphor)bound(metaphor ? whole : def->metaphor, 0, METAPHORS - 1),
-                             metaphor ? def->tree : whole != 0);
-        def->seed = seed;
         garden->work |= WORK_ALL & ~(unsigned)WORK_BED;
         return;
-    }
-    if (key->type == KEY_NUMBER) {
-        float least = (float)key->min, most = (float)key->max;
-        value = value >= least ? value <= most ? value : most : least;
-        memcpy(at, &value, sizeof value);
-    } else if (key->type == KEY_FLAG) {
-        bool on = whole != 0;
-        memcpy(at, &on, sizeof on);
-    } else if (key->type == KEY_INTEGER || key->type == KEY_CHOICE) {
-        int most = (int)key->max;
-        while (key->type == KEY_CHOICE && key->choices[most + 1]) {
-            most++;
-        }
-        whole = bound(whole, (int)key->min, most);
-        memcpy(at, &whole, sizeof whole);
-    } else {
-        return; /* where it is planted, and where trees fork, are not values */
     }
     garden->work |= work_of(key->name);
 }

@@ -3,6 +3,9 @@
 
 #include "growth.h"
 
+/* The greatest float that an int can hold, near enough: seeds go that far. No whole number of the table is below 0. */
+static const float INTEGER_MOST = 2147483392.0f;
+
 float growth_value(const struct growth_def *def, int key)
 {
     const struct key *of = &growth_keys[key];
@@ -37,7 +40,7 @@ void growth_take(struct growth_def *def, int key, float value)
     char *at = (char *)def + of->offset;
     float least = of->type == KEY_NUMBER || of->type == KEY_INTEGER ? (float)of->min : 0;
     value = value >= least ? fminf(value, most_of(of)) : least; /* NaN becomes the least */
-    int whole = (int)(value < 0 ? value - 0.5f : value + 0.5f), seed = def->seed;
+    int whole = (int)(fminf(value, INTEGER_MOST) + 0.5f), seed = def->seed;
     if (strcmp(of->name, "metaphor") == 0) {
         *def = growth_preset((enum metaphor)whole, def->tree);
         def->seed = seed;

@@ -366,9 +366,27 @@ static void the_same_grows_every_time(void **state)
     free(again);
 }
 
+static void values_are_brought_into_their_range(void **state)
+{
+    (void)state;
+    struct growth_def def = growth_preset(METAPHOR_INK, false);
+    int seed = (int)(key_find(growth_keys, "seed") - growth_keys),
+        tip = (int)(key_find(growth_keys, "tip") - growth_keys);
+    int metric = (int)(key_find(growth_keys, "metric") - growth_keys);
+    growth_take(&def, seed, 3e9f);
+    assert_true(def.seed > 2147483000); /* as far as floats and ints go together */
+    growth_take(&def, seed, -1);
+    assert_int_equal(def.seed, 0);
+    growth_take(&def, tip, NAN);
+    assert_float_equal(def.tip, (float)growth_keys[tip].min, 0);
+    growth_take(&def, metric, 1000);
+    assert_int_equal(def.metric, METRICS - 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(values_are_brought_into_their_range),
         cmocka_unit_test(every_metaphor_and_metric_grows_a_forest_that_reaches_all),
         cmocka_unit_test(trees_are_in_one_piece_and_stay_in_their_crown),
         cmocka_unit_test(as_many_stipples_as_asked_for_within_2_percent),
