@@ -115,6 +115,20 @@ static void follow_dwelling(struct kiosk *kiosk, const struct event *event, uint
     }
 }
 
+/* What nobody shall act on still ends what was begun before: no hand stays that has gone. Whether the controls hear it.
+ */
+static bool let_go(struct kiosk *kiosk, const struct event *event)
+{
+    struct hud_press press;
+    bool pressed;
+    if (is_finger(event) && is_end(event)) {
+        hud_feel(&kiosk->hud, event, &press, &pressed);
+        follow_hand(kiosk, event);
+        access_leave(&kiosk->access, finger_id(event));
+    }
+    return is_end(event);
+}
+
 bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
 {
     struct hud_press press;
@@ -124,10 +138,10 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
     }
     if (kiosk->dark) {
         feel_dark(kiosk, event, now_us);
-        return is_end(event);
+        return let_go(kiosk, event);
     }
     if (!swallow_pass(&kiosk->swallow, event)) {
-        return false;
+        return let_go(kiosk, event);
     }
     bool palette = is_finger(event) && hud_feel(&kiosk->hud, event, &press, &pressed);
     if (kiosk_is_input(kiosk, event)) {
