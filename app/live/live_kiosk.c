@@ -145,6 +145,7 @@ static void open_gallery(struct live_kiosk *kiosk, const struct exhibit *exhibit
 static bool open_input(struct live_kiosk *kiosk, const struct exhibit *exhibit)
 {
     struct live_input_def *def = &kiosk->input_def;
+    kiosk_controls(kiosk->kiosk, NULL); /* what is held now will never be told to leave */
     live_input_close(kiosk->input);
     def->inputs = exhibit->inputs;
     def->seats = exhibit->seats;

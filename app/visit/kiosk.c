@@ -87,6 +87,9 @@ static void choose_again(struct kiosk *kiosk)
 void kiosk_controls(struct kiosk *kiosk, struct controls *controls)
 {
     kiosk->controls = controls;
+    if (!controls) {
+        kiosk_let_all_go(kiosk);
+    }
     kiosk_stand_dials(kiosk);
     choose_again(kiosk);
 }

@@ -65,7 +65,7 @@ struct kiosk;
 struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us);
 void kiosk_destroy(struct kiosk *kiosk); /* takes NULL */
 
-/* The controls that paint; the caller's. NULL: there are none for now. */
+/* The controls that paint; the caller's. NULL: there are none for now, and nothing is held any more. */
 void kiosk_controls(struct kiosk *kiosk, struct controls *controls);
 /* Whether the controls may feel the event, which may come out at another place (a reach-limited zone). */
 bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us);

@@ -129,6 +129,26 @@ static bool let_go(struct kiosk *kiosk, const struct event *event)
     return is_end(event);
 }
 
+void kiosk_let_all_go(struct kiosk *kiosk)
+{
+    struct event event = {.kind = EVENT_CANCEL};
+    for (int i = 0; i < HUD_FINGERS; i++) {
+        const struct hud_finger *finger = &kiosk->hud.fingers[i];
+        event.source = finger->source;
+        event.slot = finger->slot;
+        if (finger->used) {
+            let_go(kiosk, &event);
+        }
+    }
+    for (int i = 0; i < KIOSK_HANDS; i++) {
+        event.source = (enum event_source)(kiosk->hands[i].id >> 16);
+        event.slot = kiosk->hands[i].id & 0xffff;
+        if (kiosk->hands[i].used) {
+            let_go(kiosk, &event);
+        }
+    }
+}
+
 bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
 {
     struct hud_press press;

@@ -77,6 +77,8 @@ bool kiosk_is_input(struct kiosk *kiosk, const struct event *event);
 void kiosk_choose(struct kiosk *kiosk, int seat);
 /* Tells the palettes which hands are busy. */
 void kiosk_busy(struct kiosk *kiosk, uint64_t now_us);
+/* Whatever is down leaves: its devices are gone. */
+void kiosk_let_all_go(struct kiosk *kiosk);
 
 /* kiosk_garden.c */
 bool kiosk_has_trees(const struct kiosk *kiosk);

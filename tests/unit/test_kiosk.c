@@ -259,6 +259,20 @@ static void what_is_let_go_in_the_dark_is_not_stuck_in_the_morning(void **state)
     hall_close(hall);
 }
 
+static void what_is_held_while_the_inputs_change_is_let_go(void **state)
+{
+    (void)state;
+    struct hall *hall = hall_open(PLAIN);
+    struct event event = {.kind = EVENT_DOWN, .source = SOURCE_TOUCH, .slot = 1, .x = 0.5f, .y = 0.5f};
+    hall_feel(hall, &event);
+    hall_wait(hall, 1);
+    assert_int_equal(hands(hall), 1);
+    kiosk_controls(hall->kiosk, NULL); /* its glass is opened anew, and knows nothing of it */
+    kiosk_controls(hall->kiosk, hall->controls);
+    assert_int_equal(hands(hall), 0);
+    hall_close(hall);
+}
+
 static void one_switch_paints_where_the_lines_cross(void **state)
 {
     (void)state;
@@ -437,6 +451,7 @@ int main(void)
         cmocka_unit_test(staff_look_at_the_status_and_leave),
         cmocka_unit_test(at_night_it_is_dark_and_a_waking_touch_does_not_paint),
         cmocka_unit_test(what_is_let_go_in_the_dark_is_not_stuck_in_the_morning),
+        cmocka_unit_test(what_is_held_while_the_inputs_change_is_let_go),
         cmocka_unit_test(one_switch_paints_where_the_lines_cross),
         cmocka_unit_test(a_finished_picture_is_shown_between_two_paintings_until_somebody_comes),
         cmocka_unit_test(a_visit_that_was_cut_off_goes_on),
