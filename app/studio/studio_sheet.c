@@ -207,7 +207,8 @@ static void set_coefficients(struct studio *studio, const struct coefficients *b
 
 void studio_take_script(struct studio *studio, const struct script *script)
 {
-    const struct script *before = studio->script;
+    /* A copy: as soon as the new script is seen here, the old one may be destroyed. */
+    const struct coefficients before = studio->script->coefficients;
     int64_t tick = studio->engine->ops->ticks(studio->engine) - studio->session_start;
     pthread_mutex_lock(&studio->lock);
     studio->script = script;
@@ -218,6 +219,6 @@ void studio_take_script(struct studio *studio, const struct script *script)
     } else {
         studio_set_trouble(studio, "the canvas cannot be changed: memory is short");
     }
-    set_coefficients(studio, &before->coefficients, &script->coefficients);
+    set_coefficients(studio, &before, &script->coefficients);
     find_next_action(studio, tick);
 }

@@ -136,7 +136,8 @@ static void look_at_writes(struct gauge *gauge, struct soak *soak)
         snprintf(name, sizeof name, "%.90s", event->len > 0 ? event->name : "");
         count++;
     }
-    bool calm = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && !kiosk->keep;
+    bool kept = !kiosk->keep && !(kiosk->gallery && gallery_busy(kiosk->gallery)); /* the visit's picture */
+    bool calm = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && kept;
     gauge->calm_s = !calm ? 0 : gauge->calm_s > 0 ? gauge->calm_s : soak_s(soak);
     bool quiet = calm && soak_s(soak) > gauge->calm_s + SETTLE_S;
     if (count > 0 && quiet && gauge->quiet) {

@@ -16,6 +16,11 @@
 #include "journal.h"
 #include "live_garden.h"
 
+#if defined(SANITIZED) /* a plan there takes as long as the whole drag */
+enum { LEAST_PLANS = 1 };
+#else
+enum { LEAST_PLANS = 2 };
+#endif
 enum { CELLS_X = 96, CELLS_Y = 60, WIDTH = 96, HEIGHT = 60, SIDE = 48, PATIENCE_S = 30, VISITOR = 3 };
 
 struct place {
@@ -225,7 +230,7 @@ static void dragging_plans_six_times_a_second(void **state)
     }
     settle(&place);
     double most = 6 * (bench_wall_s() - began_s) + 1;
-    assert_in_range(sheet_of(&place).plans - plans, 2, (int)most);
+    assert_in_range(sheet_of(&place).plans - plans, LEAST_PLANS, (int)most);
     close_place(&place);
 }
 
