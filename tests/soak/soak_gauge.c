@@ -136,10 +136,9 @@ static void look_at_writes(struct gauge *gauge, struct soak *soak)
         snprintf(name, sizeof name, "%.90s", event->len > 0 ? event->name : "");
         count++;
     }
-    bool kept = !kiosk->keep && !(kiosk->gallery && gallery_busy(kiosk->gallery)); /* the visit's picture */
-    bool calm = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && kept;
+    bool calm = strcmp(kiosk_state(kiosk->kiosk), "attract") == 0 && !kiosk->keep;
     gauge->calm_s = !calm ? 0 : gauge->calm_s > 0 ? gauge->calm_s : soak_s(soak);
-    bool quiet = calm && soak_s(soak) > gauge->calm_s + SETTLE_S;
+    bool quiet = calm && soak_s(soak) > gauge->calm_s + (UNHURRIED ? 4 * SETTLE_S : SETTLE_S);
     if (count > 0 && quiet && gauge->quiet) {
         soak_fail(soak, "in attract '%s' is written", name);
     }
