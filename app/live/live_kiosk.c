@@ -277,7 +277,8 @@ static void look_at_file(struct live_kiosk *kiosk)
     struct exhibit *exhibit = NULL;
     char *report = NULL;
     if (kiosk->before) { /* one after another */
-        if (studio_script(kiosk->status.studio) == kiosk_scene(kiosk->kiosk)->script) {
+        /* Neither the studio nor the picture has a script of it any more. */
+        if (!kiosk->other && studio_script(kiosk->status.studio) == kiosk_scene(kiosk->kiosk)->script) {
             exhibit_destroy(kiosk->before);
             kiosk->before = NULL;
         }
@@ -309,8 +310,8 @@ void live_kiosk_run(struct live_kiosk *kiosk)
     if (!kiosk->kiosk) {
         return;
     }
-    const struct script *script = kiosk_scene(kiosk->kiosk)->script;
     kiosk_run(kiosk->kiosk, now_us(kiosk), live_clock_wall(&kiosk->clock));
+    const struct script *script = kiosk_scene(kiosk->kiosk)->script;
     if (kiosk->other && studio_script(kiosk->status.studio) == script) {
         live_picture_change(kiosk->picture, script);
         live_care_change(kiosk->status.care, script);
