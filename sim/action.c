@@ -3,8 +3,11 @@
 #include <string.h>
 
 #include "brush.h"
+#include "coefficients.h"
+#include "dish.h"
 #include "growth.h"
 #include "kernel.h"
+#include "storm.h"
 
 static const char *const EDGES[] = {"hard", "soft", "ragged", NULL};
 static const char *const OVERS[] = {"respect", "run", NULL};
@@ -167,7 +170,7 @@ static const struct key STOCK[] = {
     END,
 };
 static const struct key SHAPE[] = {
-    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, FIELD(growth), true, "What to set, as of frond grow."},
+    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of frond grow."},
     NUMBER(value, "as that", 0, 2147483647.0, 0,
            "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
@@ -185,6 +188,46 @@ static const struct key TEND[] = {
 static const struct key HOLD[] = {
     AT(false, "Where the visitor's hand lies; it is lifted if left out."),
     RADIUS(30, "How far from it growth keeps."),
+    END,
+};
+static const struct key STRIKE[] = {
+    AT(false, "Where the hand is: lightning comes there, all else grows from there."),
+    FORMULA("Grows from the edges of where the expression in x and y is not zero."),
+    PICTURE("Grows from the edges of where the picture is dark."),
+    END,
+};
+static const struct key ATTRACT[] = {
+    AT(false, "Where the visitor's hand lies; it is lifted if left out, with a path, too."),
+    PATH(false),
+    NUMBER(amount, "charges of a particle", -1000, 1000, 100,
+           "How strongly; below 0 it repels. Along a path: each cell of it, and it stays."),
+    END,
+};
+static const struct key CONDUCT[] = {
+    {"lightning", KEY_STORM, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of a scene of lightning."},
+    NUMBER(value, "as that", -2147483647.0, 2147483647.0, 0,
+           "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
+    END,
+};
+static const struct key DOSE[] = {
+    AT(false, "Middle of a disc."),
+    PATH(false),
+    FORMULA("Where the expression in x and y is not zero."),
+    PICTURE("Where the picture is dark."),
+    RADIUS(6, "Radius of the disc, or half the width of the stroke."),
+    NUMBER(strength, "share", 0, 1, 1, "How much of the way to the dosed state."),
+    {"erase", KEY_FLAG, "", 0, 1, 0, NULL, FIELD(invert), false, "Takes the chemicals away instead."},
+    END,
+};
+static const struct key REACT[] = {
+    {"chemistry", KEY_DISH, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of a scene of chemistry."},
+    NUMBER(value, "as that", -2147483647.0, 2147483647.0, 0,
+           "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
+    END,
+};
+static const struct key STYLE[] = {
+    FORMULA("An expression in x and y, 0 to 1."),
+    PICTURE("A picture, dark to bright; none takes the style away."),
     END,
 };
 
@@ -215,11 +258,26 @@ static const struct {
     [ACTION_PLANT] = {"plant", "Plants a seed: a structure grows from there over the picture.", PLANT},
     [ACTION_TEND] = {"tend", "Makes a place of the picture more or less important; it grows again there.", TEND},
     [ACTION_HOLD] = {"hold", "A hand that growth goes round.", HOLD},
+    [ACTION_STRIKE] = {"strike", "A bolt of lightning, a coral, a river begins to grow.", STRIKE},
+    [ACTION_ATTRACT] = {"attract", "A charge that bolts grow towards, or away from.", ATTRACT},
+    [ACTION_CONDUCT] = {"conduct", "Sets how bolts grow.", CONDUCT},
+    [ACTION_DOSE] = {"dose", "Chemicals along a stroke: a reaction starts there, or ends.", DOSE},
+    [ACTION_REACT] = {"react", "Sets how chemicals react.", REACT},
+    [ACTION_STYLE] = {"style", "A picture whose bright places react another way than its dark ones.", STYLE},
 };
 
 const struct key *action_keys(enum action_verb verb)
 {
     return VERBS[verb].keys;
+}
+
+const struct key *action_options(enum key_type type)
+{
+    return type == KEY_COEFFICIENT ? coefficient_keys
+           : type == KEY_GROWTH    ? growth_keys
+           : type == KEY_STORM     ? storm_keys
+           : type == KEY_DISH      ? dish_keys
+                                   : NULL;
 }
 
 const char *action_name(enum action_verb verb)
@@ -258,6 +316,17 @@ static float legal_position(float position)
     return position >= 0.0f && position <= 1.0f ? position : position > 1.0f ? 1.0f : 0.0f;
 }
 
+static int legal_option(const struct action *action)
+{
+    for (const struct key *key = action_keys(action->verb); key->name; key++) {
+        const struct key *options = key->type == KEY_COEFFICIENT ? NULL : action_options(key->type);
+        if (options) {
+            return action->option >= 0 && action->option < key_count(options) ? action->option : 0;
+        }
+    }
+    return 0;
+}
+
 struct action action_legal(const struct action *action)
 {
     struct action legal = *action;
@@ -275,7 +344,7 @@ struct action action_legal(const struct action *action)
     legal.at.y = legal_position(legal.at.y);
     legal.flow.x = legal_flow(legal.flow.x);
     legal.flow.y = legal_flow(legal.flow.y);
-    legal.growth = legal.growth >= 0 && legal.growth < key_count(growth_keys) ? legal.growth : 0;
+    legal.option = legal_option(action);
     legal.ink = legal.ink < 0 || legal.ink >= INKS ? 0 : legal.ink;
     for (int i = 0; legal.brush != BRUSH_NONE && i <= legal.brush; i++) {
         if (legal.brush < 0 || !brushes[i].name) {

@@ -48,6 +48,12 @@ enum action_verb {
     ACTION_PLANT,         /* a seed from which a structure grows over the picture */
     ACTION_TEND,          /* what is under the stroke is more important, or less, and grows again */
     ACTION_HOLD,          /* a hand lies there: growth goes round it until it is lifted */
+    ACTION_STRIKE,        /* this one and the next two are for sim/storm.h: a bolt begins */
+    ACTION_ATTRACT,       /* a charge that bolts grow towards, or away from */
+    ACTION_CONDUCT,       /* how they grow: a value of storm_keys */
+    ACTION_DOSE,          /* this one and those below are for sim/dish.h: chemicals along a stroke, or taken away */
+    ACTION_REACT,         /* how they react: a value of dish_keys */
+    ACTION_STYLE,         /* a picture by whose brightness they react one way or another */
     ACTION_VERBS,
 };
 
@@ -78,13 +84,16 @@ struct action {
     struct action_path path;
     struct action_raster formula, picture;
     int ink, brush, edge, over, reading, coefficient;
-    int growth; /* in growth_keys[] */
+    int option; /* in the table that action_options() names */
     float radius, reach, solvent, amount, strength, value, to, vary, size, ticks;
     bool invert;
 };
 
 /* The parameters of a verb, ends with a key whose name is NULL. A KEY_POINT named `at` sets has_at. */
 const struct key *action_keys(enum action_verb verb);
+/* The table that an `option` or `coefficient` of a type is one of: KEY_COEFFICIENT, KEY_GROWTH, KEY_STORM, KEY_DISH;
+ * else NULL. */
+const struct key *action_options(enum key_type type);
 /* The name of a verb as scripts write it: "drop", "brush_solvent", ... */
 const char *action_name(enum action_verb verb);
 /* One sentence about it. */

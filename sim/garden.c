@@ -115,11 +115,11 @@ static unsigned work_of(const char *name)
 
 static void take_shape(struct garden *garden, const struct action *action)
 {
-    const struct key *key = &growth_keys[action->growth];
+    const struct key *key = &growth_keys[action->option];
     if (key->type == KEY_PATH || key->type == KEY_POINT) {
         return; /* where it is planted, and where trees fork, are not values */
     }
-    growth_take(&garden->def.growth, action->growth, action->value);
+    growth_take(&garden->def.growth, action->option, action->value);
     if (strcmp(key->name, "metaphor") == 0 || strcmp(key->name, "tree") == 0) {
         garden->work |= WORK_ALL & ~(unsigned)WORK_BED;
         return;

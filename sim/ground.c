@@ -253,6 +253,12 @@ struct rectangle ground_act(struct ground *ground, const struct action *action)
     case ACTION_PLANT:
     case ACTION_TEND:
     case ACTION_HOLD:
+    case ACTION_STRIKE:
+    case ACTION_ATTRACT:
+    case ACTION_CONDUCT:
+    case ACTION_DOSE:
+    case ACTION_REACT:
+    case ACTION_STYLE:
     case ACTION_VERBS:
         break;
     }

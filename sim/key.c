@@ -1,8 +1,12 @@
 #include "key.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "action.h"
+
+/* The greatest float that an int can hold, near enough. */
+static const float INTEGER_MOST = 2147483392.0f;
 
 const struct key *key_find(const struct key *keys, const char *name)
 {
@@ -83,6 +87,8 @@ void key_defaults(const struct key *keys, void *object)
         case KEY_INK:
         case KEY_BRUSH:
         case KEY_GROWTH:
+        case KEY_STORM:
+        case KEY_DISH:
         case KEY_COEFFICIENT:
         case KEY_TIME: {
             int value = (int)keys->initial;
@@ -116,5 +122,48 @@ void key_defaults(const struct key *keys, void *object)
             memset(at, 0, sizeof(struct action_raster));
             break;
         }
+    }
+}
+
+float key_value(const struct key *key, const void *object)
+{
+    const void *at = (const char *)object + key->offset;
+    switch (key->type) {
+    case KEY_NUMBER:
+        return *(const float *)at;
+    case KEY_FLAG:
+        return *(const bool *)at ? 1 : 0;
+    case KEY_INTEGER:
+    case KEY_CHOICE:
+        return (float)*(const int *)at;
+    default:
+        return 0;
+    }
+}
+
+static float most_of(const struct key *key)
+{
+    int last = 0;
+    if (key->type == KEY_NUMBER || key->type == KEY_INTEGER) {
+        return (float)key->max;
+    }
+    for (; key->type == KEY_CHOICE && key->choices[last + 1]; last++) {
+    }
+    return key->type == KEY_FLAG ? 1 : (float)last;
+}
+
+void key_take(const struct key *key, void *object, float value)
+{
+    char *at = (char *)object + key->offset;
+    float least = key->type == KEY_NUMBER || key->type == KEY_INTEGER ? (float)key->min : 0;
+    value = value >= least ? fminf(value, most_of(key)) : least; /* NaN becomes the least */
+    int whole = (int)floorf(fminf(value, INTEGER_MOST) + 0.5f);
+    if (key->type == KEY_NUMBER) {
+        memcpy(at, &value, sizeof value);
+    } else if (key->type == KEY_FLAG) {
+        bool flag = whole != 0;
+        memcpy(at, &flag, sizeof flag);
+    } else if (key->type == KEY_INTEGER || key->type == KEY_CHOICE) {
+        memcpy(at, &whole, sizeof whole);
     }
 }

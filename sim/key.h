@@ -20,6 +20,8 @@ enum key_type {
     KEY_PICTURE, /* struct action_raster, from a picture: a path relative to the file that names it */
     KEY_TEXT,    /* const char *: a word or some, of `min` to `max` bytes; owned by whoever read it */
     KEY_GROWTH,  /* int: index into growth_keys[] (growth.h); written as the name there */
+    KEY_STORM,   /* int: index into storm_keys[] (storm.h) */
+    KEY_DISH,    /* int: index into dish_keys[] (dish.h) */
     KEY_COEFFICIENT, /* int: index into coefficient_keys[] (coefficients.h); written as the coefficient's name */
     KEY_ZONE,        /* float[4]: [left, top, right, bottom] in 0..1 of the sheet; its default reaches from a top of
                         `initial` down, all across */
@@ -48,5 +50,10 @@ int key_count(const struct key *keys);
 const char *key_suggest(const struct key *keys, const char *misspelt);
 /* Fills every value of `object` with its default; points are made 0, paths and rasters empty, texts NULL. */
 void key_defaults(const struct key *keys, void *object);
+
+/* A value as a number: choices and flags by theirs from 0; of what is no number 0. */
+float key_value(const struct key *key, const void *object);
+/* Sets it, brought into its range (NaN becomes the least) and rounded where it is whole. */
+void key_take(const struct key *key, void *object, float value);
 
 #endif

@@ -35,6 +35,8 @@ static const char *type_name(const struct key *key)
         [KEY_RASTER] = "expression",
         [KEY_PICTURE] = "path",
         [KEY_GROWTH] = "option",
+        [KEY_STORM] = "option",
+        [KEY_DISH] = "option",
         [KEY_TEXT] = "text",
         [KEY_COEFFICIENT] = "coefficient",
         [KEY_ZONE] = "zone",

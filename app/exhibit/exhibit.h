@@ -22,6 +22,7 @@
 #include "growth.h"
 #include "inputs.h"
 #include "report.h"
+#include "scene.h"
 #include "script.h"
 #include "words.h"
 
@@ -51,11 +52,6 @@ struct exhibit_sheet {
     int margin; /* cells beyond each side */
     int seed;
     int rate; /* ticks a second */
-};
-
-enum scene_kind {
-    SCENE_PAINTING,
-    SCENE_TREES, /* a garden (garden.h) over a painting that sleeps */
 };
 
 /* A scene is what is painted: inks, coefficients, a ground from a picture. `script` is a session without actions, for

@@ -224,7 +224,7 @@ bool controls_push_shape(struct controls *controls, int growth, float value, uin
     struct queued *queued = push(controls, time_us);
     if (queued) {
         queued->action = action_default(ACTION_SHAPE);
-        queued->action.growth = growth;
+        queued->action.option = growth;
         queued->action.value = value;
     }
     return queued;

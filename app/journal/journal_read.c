@@ -267,7 +267,7 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
         cursor_text(body, name);
         if (!journal_value_of(key, name, &value)) {
             reader->skipped++;
-            *known = *known && key->type != KEY_COEFFICIENT && key->type != KEY_GROWTH;
+            *known = *known && !action_options(key->type);
         }
         store(action, key, &value, sizeof value);
         return true;

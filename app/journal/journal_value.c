@@ -2,9 +2,8 @@
 
 #include <string.h>
 
+#include "action.h"
 #include "brush.h"
-#include "coefficients.h"
-#include "growth.h"
 #include "journal.h"
 
 const uint8_t journal_magic[JOURNAL_MAGIC] = {0x89, 'F', 'R', 'O', 'N', 'D', '\r', '\n'};
@@ -23,6 +22,8 @@ enum journal_type journal_type_of(enum key_type type)
     case KEY_CHOICE:
     case KEY_BRUSH:
     case KEY_GROWTH:
+    case KEY_STORM:
+    case KEY_DISH:
     case KEY_COEFFICIENT:
         return JOURNAL_NAME;
     case KEY_INK:
@@ -42,16 +43,8 @@ const char *journal_name_of(const struct key *key, int value)
     if (value < 0) {
         return "";
     }
-    switch (key->type) {
-    case KEY_BRUSH:
-        return brushes[value].name;
-    case KEY_GROWTH:
-        return growth_keys[value].name;
-    case KEY_COEFFICIENT:
-        return coefficient_keys[value].name;
-    default:
-        return key->choices[value];
-    }
+    const struct key *options = action_options(key->type);
+    return options ? options[value].name : key->type == KEY_BRUSH ? brushes[value].name : key->choices[value];
 }
 
 bool journal_value_of(const struct key *key, const char *name, int *value)
@@ -61,10 +54,10 @@ bool journal_value_of(const struct key *key, const char *name, int *value)
         *value = brush_find(name);
         return *value != BRUSH_NONE || !name[0];
     }
-    if (key->type == KEY_COEFFICIENT || key->type == KEY_GROWTH) {
-        const struct key *keys = key->type == KEY_GROWTH ? growth_keys : coefficient_keys;
-        const struct key *named = key_find(keys, name);
-        *value = named ? (int)(named - keys) : 0;
+    const struct key *options = action_options(key->type);
+    if (options) {
+        const struct key *named = key_find(options, name);
+        *value = named ? (int)(named - options) : 0;
         return named;
     }
     while (key->choices[found] && strcmp(key->choices[found], name) != 0) {

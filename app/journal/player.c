@@ -53,7 +53,8 @@ static bool measure(struct player *player, const void *data, size_t size, struct
     while (journal_next(&reader, &record)) {
         bool action = record.kind == JOURNAL_ACTION;
         player->goes_back = player->goes_back || (action && goes_back(record.action.verb));
-        player->grows = player->grows || (action && player->maker.grows && garden_takes(record.action.verb));
+        player->grows =
+            player->grows || (action && player->maker.grows && scene_kind_of(record.action.verb) != SCENE_PAINTING);
     }
     player->last = reader.ticked;
     journal_close(&reader);
@@ -207,7 +208,8 @@ bool player_open(struct player *player, const void *data, size_t size, const str
 
 static bool grow(struct player *player, struct file_error *error)
 {
-    return !player->plot || plot_tick(player->plot) || file_fail(error, NAME, "memory is short for what grows over it");
+    return !player->plot || plot_tick(player->plot, player->ticked) ||
+           file_fail(error, NAME, "memory is short for what grows over it");
 }
 
 bool player_resume(struct player *player, const void *data, size_t size, const struct player_place *place,

@@ -36,7 +36,8 @@ static void say(struct live_kiosk *kiosk, const char *format, ...)
 static bool stage_post(void *context, const struct action *action, uint64_t event_us)
 {
     struct live_kiosk *kiosk = context;
-    bool planted = garden_takes(action->verb); /* no fields hold it: how long it takes is not measured */
+    bool planted =
+        scene_kind_of(action->verb) != SCENE_PAINTING; /* no fields hold it: how long it takes is not measured */
     bool posted = studio_post_event(kiosk->status.studio, action, planted ? 0 : event_us);
     kiosk->drops += posted && action->verb == ACTION_DROP && action->visitor > 0;
     return posted;

@@ -5,97 +5,96 @@
 #include "script.h"
 
 struct plot {
-    struct garden *garden;
-    struct plate plate; /* of the last picture's size */
-    bool painted;       /* it is as the garden is now */
+    int width, height;
+    bool failed; /* memory was short for a scene */
+    void *scenes[SCENE_KINDS];
 };
 
 bool plot_wanted(const struct script *script)
 {
     bool wanted = false;
     for (int i = 0; i < script->action_count; i++) {
-        wanted = wanted || garden_takes(script->actions[i].verb);
+        wanted = wanted || scene_kind_of(script->actions[i].verb) != SCENE_PAINTING;
     }
     return wanted;
-}
-
-static struct garden *make_garden(int width, int height)
-{
-    struct garden_def def = garden_default_def();
-    def.width = width;
-    def.height = height;
-    return garden_create(&def);
 }
 
 struct plot *plot_create(int width, int height)
 {
     struct plot *plot = calloc(1, sizeof *plot);
     if (plot) {
-        plot->garden = make_garden(width, height);
-    }
-    if (plot && !plot->garden) {
-        free(plot);
-        plot = NULL;
+        plot->width = width;
+        plot->height = height;
     }
     return plot;
+}
+
+static void take_away(struct plot *plot)
+{
+    for (int kind = 0; kind < SCENE_KINDS; kind++) {
+        if (plot->scenes[kind]) {
+            scene_types[kind]->destroy(plot->scenes[kind]);
+            plot->scenes[kind] = NULL;
+        }
+    }
 }
 
 void plot_destroy(struct plot *plot)
 {
     if (plot) {
-        garden_destroy(plot->garden);
-        plate_finish(&plot->plate);
+        take_away(plot);
         free(plot);
     }
 }
 
 void plot_act(struct plot *plot, int64_t ticked, const struct action *action)
 {
-    garden_act(plot->garden, ticked, action);
+    enum scene_kind own = scene_kind_of(action->verb);
+    if (own != SCENE_PAINTING && !plot->scenes[own]) {
+        plot->scenes[own] = scene_types[own]->create(plot->width, plot->height);
+        plot->failed = plot->failed || !plot->scenes[own];
+    }
+    for (int kind = 0; kind < SCENE_KINDS; kind++) {
+        if (plot->scenes[kind]) {
+            scene_types[kind]->act(plot->scenes[kind], ticked, action);
+        }
+    }
 }
 
 bool plot_sheet(struct plot *plot, int width, int height, bool fresh)
 {
-    struct garden *garden = fresh ? make_garden(width, height) : plot->garden;
-    if (!garden) {
-        return false;
-    }
+    plot->width = width;
+    plot->height = height;
     if (fresh) {
-        garden_destroy(plot->garden);
-        plot->garden = garden;
-        plot->painted = false;
+        take_away(plot);
     }
-    garden_resize(garden, width, height);
+    for (int kind = 0; kind < SCENE_KINDS; kind++) {
+        if (plot->scenes[kind]) {
+            scene_types[kind]->resize(plot->scenes[kind], width, height);
+        }
+    }
     return true;
 }
 
-bool plot_tick(struct plot *plot)
+bool plot_tick(struct plot *plot, int64_t ticked)
 {
-    if (!garden_due(plot->garden)) {
-        return true;
+    bool good = !plot->failed;
+    for (int kind = 0; kind < SCENE_KINDS && good; kind++) {
+        good = !plot->scenes[kind] || scene_types[kind]->tick(plot->scenes[kind], ticked);
     }
-    plot->painted = false;
-    return garden_grow(plot->garden);
+    return good;
 }
 
 bool plot_lay(struct plot *plot, int64_t ticked, int width, int height, uint8_t *rgb)
 {
-    struct plate *plate = &plot->plate;
-    if (plate->width != width || plate->height != height) {
-        plate_finish(plate);
-        plot->painted = false;
-        if (!plate_init(plate, width, height)) {
-            return false;
-        }
+    bool good = true;
+    for (int kind = SCENE_KINDS - 1; kind >= 0 && good; kind--) { /* a dish covers most: it lies below */
+        good = !plot->scenes[kind] || scene_types[kind]->lay(plot->scenes[kind], ticked, width, height, rgb);
     }
-    plot->painted = plot->painted || garden_paint(plot->garden, plate);
-    if (plot->painted) {
-        plate_reveal(plate, ticked, rgb);
-    }
-    return plot->painted;
+    return good;
 }
 
-struct garden *plot_garden(struct plot *plot)
+void *plot_scene(struct plot *plot, enum scene_kind kind)
 {
-    return plot->garden;
+    return plot->scenes[kind];
 }

@@ -1,17 +1,18 @@
-/* A garden beside the engine, and what of it lies over a picture of the painting: for sessions and journals that grow
- * something over a picture. What `frond render` and `frond replay` share.
+/* The scenes beside the engine (scene.h), and what of them lies over a picture of the painting: for sessions and
+ * journals in which something else grows, too. What `frond render` and `frond replay` share.
  *
  *     plot_act(plot, ticked, &action);                    every action, also those for the engine
- *     plot_tick(plot);                                    once they are done, before each tick
+ *     plot_tick(plot, ticked);                            once they are done, before each tick
  *     plot_lay(plot, ticked, width, height, rgb);         over a picture
- */
+ *
+ * A scene of a kind is there from the first action on that is for its kind alone. */
 #ifndef FROND_PLOT_H
 #define FROND_PLOT_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "garden.h"
+#include "scene.h"
 
 struct script;
 struct plot;
@@ -24,12 +25,12 @@ void plot_destroy(struct plot *plot); /* takes NULL */
 void plot_act(struct plot *plot, int64_t ticked, const struct action *action);
 /* A fresh sheet, on which nothing is and no picture lies; or the same on another grid. False when memory is short. */
 bool plot_sheet(struct plot *plot, int width, int height, bool fresh);
-/* Grows what the actions of a tick have asked for: always after each, so that a journal repeats it to the bit. False
- * when memory is short. */
-bool plot_tick(struct plot *plot);
+/* The tick, after its actions: always, so that a journal repeats it to the bit. False when memory is short, now or in
+ * plot_act. */
+bool plot_tick(struct plot *plot, int64_t ticked);
 /* Lays what has appeared over width * height * 3 bytes of sRGB. False when memory is short. */
 bool plot_lay(struct plot *plot, int64_t ticked, int width, int height, uint8_t *rgb);
-/* The garden itself, the plot's. */
-struct garden *plot_garden(struct plot *plot);
+/* The scene of a kind, the plot's; NULL: there is none. */
+void *plot_scene(struct plot *plot, enum scene_kind kind);
 
 #endif

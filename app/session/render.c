@@ -150,7 +150,7 @@ static bool run_session(struct rendering *rendering, struct progress *progress, 
         for (; next < script->action_count && script->actions[next].tick <= tick; next++) {
             act(rendering, tick, &script->actions[next]);
         }
-        good = !rendering->plot || plot_tick(rendering->plot) ||
+        good = !rendering->plot || plot_tick(rendering->plot, tick) ||
                file_fail(error, "the painting", "memory is short for what grows over it");
         if (good && tick < script->ticks) {
             if (rendering->history) {

@@ -10,7 +10,7 @@
 
 /* What one verb's parameters need to know of each other. */
 struct parameters {
-    const struct key *setting;       /* what `set` or `shape` sets; NULL for other verbs, or where it is wrong */
+    const struct key *setting;       /* what `set`, `shape`, ... sets; NULL for other verbs, or where it is wrong */
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
     const struct yaml_node *structure; /* in place of the picture */
@@ -166,7 +166,7 @@ static bool is_number(const struct yaml_node *node)
            (strchr("+-.", node->text[0]) || (node->text[0] >= '0' && node->text[0] <= '9'));
 }
 
-/* `value` and `to` of `set`, `value` of `shape`: type and range of what they set. */
+/* `value` and `to` of `set`, `value` of `shape` and its like: type and range of what they set. */
 static bool read_setting(struct reader *reader, const struct key *key, const struct yaml_node *node,
                          const struct key *setting, struct action *action)
 {
@@ -174,10 +174,10 @@ static bool read_setting(struct reader *reader, const struct key *key, const str
     double number = 0;
     bool good, flag = false;
     if (setting->type == KEY_POINT || setting->type == KEY_PATH) {
-        reader_problem(reader, node, "'%s' cannot be shaped; plant says where it grows from", setting->name);
+        reader_problem(reader, node, "'%s' is no value to set; plant says where it grows from", setting->name);
         return false;
     }
-    if (setting->type == KEY_CHOICE && !(action->verb == ACTION_SHAPE && is_number(node))) {
+    if (setting->type == KEY_CHOICE && !(action->verb != ACTION_SET && is_number(node))) {
         struct names names = names_of_choices(setting->choices);
         int choice = 0;
         good = value_choice(reader, &names, "choice", node, &choice);
@@ -246,7 +246,7 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     if ((verb == ACTION_GUIDE || laid) && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; a path, a formula or a picture");
     }
-    if (verb == ACTION_MASK && !at && !path && !raster && !parameters->bound) {
+    if ((verb == ACTION_MASK || verb == ACTION_DOSE || verb == ACTION_STRIKE) && !at && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
     }
     if (verb == ACTION_RINSE && !at && !path && !parameters->bound) {
@@ -258,7 +258,7 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     if (verb == ACTION_STOCK && !raster && !parameters->bound) {
         reader_problem(reader, node, "no picture is given; the path of one in this file's folder");
     }
-    if ((verb == ACTION_SET || verb == ACTION_SHAPE) && parameters->setting) {
+    if (parameters->setting) {
         if (!yaml_get(node, "value")) {
             missing(reader, node, "value", parameters->setting);
         }
@@ -306,11 +306,12 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
         return;
     }
     struct parameters parameters = {.bound = bound};
-    const struct yaml_node *setting = action->verb == ACTION_SET     ? yaml_get(node, "coefficient")
-                                      : action->verb == ACTION_SHAPE ? yaml_get(node, "growth")
-                                                                     : NULL;
-    if (setting && setting->kind == YAML_SCALAR) {
-        parameters.setting = key_find(action->verb == ACTION_SET ? coefficient_keys : growth_keys, setting->text);
+    for (const struct key *key = keys; key->name; key++) {
+        const struct key *options = action_options(key->type);
+        const struct yaml_node *setting = options ? yaml_get(node, key->name) : NULL;
+        if (setting && setting->kind == YAML_SCALAR) {
+            parameters.setting = key_find(options, setting->text);
+        }
     }
     struct value_reading reading = {read_parameter, &parameters};
     mapping_read(reader, keys, node, action, &reading);

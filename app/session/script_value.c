@@ -109,6 +109,12 @@ const char *value_allowed(const struct key *key, char *buffer, size_t size)
     case KEY_GROWTH:
         snprintf(buffer, size, "the name of an option of frond grow");
         break;
+    case KEY_STORM:
+        snprintf(buffer, size, "the name of an option of lightning");
+        break;
+    case KEY_DISH:
+        snprintf(buffer, size, "the name of an option of chemistry");
+        break;
     case KEY_TEXT:
         snprintf(buffer, size, "%s, %.10g to %.10g bytes", *unit ? unit : "text", key->min, key->max);
         break;
@@ -476,7 +482,9 @@ bool value_read(struct reader *reader, const struct key *key, const struct yaml_
         good = value_choice(reader, &names, "brush", node, &choice);
         break;
     case KEY_GROWTH:
-        names = names_of_keys(growth_keys);
+    case KEY_STORM:
+    case KEY_DISH:
+        names = names_of_keys(action_options(key->type));
         good = value_choice(reader, &names, "option", node, &choice);
         break;
     case KEY_COEFFICIENT:

@@ -6,7 +6,7 @@
 #include <time.h>
 
 #include "bench.h"
-#include "garden.h"
+#include "scene.h"
 #include "painting_gpu.h"
 #include "studio_sheet.h"
 
@@ -33,7 +33,7 @@ static struct action action_of(const struct studio_action *posted)
 static void act(struct studio *studio, const struct studio_action *posted)
 {
     struct action action = action_of(posted);
-    studio->changed_since = studio->changed_since || !garden_takes(action.verb);
+    studio->changed_since = studio->changed_since || scene_kind_of(action.verb) == SCENE_PAINTING;
     if (studio->history) {
         history_act(studio->history, studio->engine, &action);
     } else {

@@ -23,7 +23,7 @@ static int growth_key(const char *name)
 static void post_shape(struct kiosk *kiosk, int key, float value)
 {
     struct action action = action_default(ACTION_SHAPE);
-    action.growth = key;
+    action.option = key;
     action.value = value;
     kiosk_post(kiosk, &action, 0);
 }
@@ -103,9 +103,9 @@ void kiosk_run_garden(struct kiosk *kiosk)
 
 void kiosk_take_shape(struct kiosk *kiosk, const struct action *action)
 {
-    const char *name = growth_keys[action->growth].name;
+    const char *name = growth_keys[action->option].name;
     bool all = strcmp(name, "metaphor") == 0 || strcmp(name, "tree") == 0;
-    growth_take(&kiosk->growth, action->growth, action->value);
+    growth_take(&kiosk->growth, action->option, action->value);
     if (all) {
         kiosk_stand_dials(kiosk);
     }
@@ -135,7 +135,7 @@ void kiosk_next_picture(struct kiosk *kiosk)
 void kiosk_next_metaphor(struct kiosk *kiosk)
 {
     struct action action = action_default(ACTION_SHAPE);
-    action.growth = growth_key("metaphor");
+    action.option = growth_key("metaphor");
     action.value = (float)((kiosk->growth.metaphor + 1) % METAPHORS);
     if (kiosk_has_trees(kiosk) && visit_paints(&kiosk->visit)) {
         kiosk_post(kiosk, &action, 0);

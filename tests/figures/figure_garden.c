@@ -36,7 +36,7 @@ static void plant(struct scene *scene, int64_t tick, int visitor, float x, float
 static void shape(struct scene *scene, int64_t tick, const char *name, float value)
 {
     struct action action = action_default(ACTION_SHAPE);
-    action.growth = (int)(key_find(growth_keys, name) - growth_keys);
+    action.option = (int)(key_find(growth_keys, name) - growth_keys);
     action.value = value;
     act(scene, tick, &action);
 }

@@ -23,7 +23,7 @@ struct script_case {
     "pattern_steps, fluid_steps, omega, mu, gamma, flood, drying, rewetting, evaporation"
 #define VERBS                                                                                                          \
     "drop, brush_solvent, brush_ink, draw, guide, pour, mask, unmask, dry, wet, rinse, set, clear, "                   \
-    "undo, redo, rewind, stock, shape, plant, tend, hold"
+    "undo, redo, rewind, stock, shape, plant, tend, hold, strike, attract, conduct, dose, react, style"
 #define KEYS       "frond, canvas, seed, ticks, inks, palette, mode, painting, actions"
 #define EXPRESSION "x, y, pi, numbers, + - * / ^ ( ), < <= > >= == != && || ?:, and functions like sin(x)"
 

@@ -225,7 +225,7 @@ static void a_button_is_a_hand_until_it_is_let_go(void **state)
     steps(&place, SOURCE_HID, DIAL, 0.7f);
     wait_ms(&place, 20);
     assert_true(take(&place) && place.action.verb == ACTION_SHAPE);
-    assert_string_equal(growth_keys[place.action.growth].name, "metaphor");
+    assert_string_equal(growth_keys[place.action.option].name, "metaphor");
     assert_near(place.action.value, METAPHOR_VINE, 0);
     assert_false(take(&place));
     close_place(&place);

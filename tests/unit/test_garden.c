@@ -83,7 +83,7 @@ static void do_hold(struct garden *garden, int64_t tick, int visitor, float x, f
 static void do_shape(struct garden *garden, int64_t tick, const char *name, float value)
 {
     struct action action = action_default(ACTION_SHAPE);
-    action.growth = (int)(key_find(growth_keys, name) - growth_keys);
+    action.option = (int)(key_find(growth_keys, name) - growth_keys);
     action.value = value;
     garden_act(garden, tick, &action);
 }

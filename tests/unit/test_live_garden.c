@@ -76,7 +76,7 @@ static struct action plant_at(float x, float y)
 static struct action few_endpoints(void)
 {
     struct action action = action_default(ACTION_SHAPE);
-    action.growth = (int)(key_find(growth_keys, "endpoints") - growth_keys);
+    action.option = (int)(key_find(growth_keys, "endpoints") - growth_keys);
     action.value = 200;
     return action;
 }

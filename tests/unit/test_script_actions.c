@@ -344,7 +344,7 @@ static const struct script_case ACTIONS[] = {
            "  - {tick: 1, shape: {growth: light, value: perhaps}}\n"),
      "s.yaml:4:48: actions[0].shape.value: unknown choice 'vines'; did you mean vine? One of ink, vine, lightning, "
      "winter, frost, cracks, painted\n"
-     "s.yaml:5:45: actions[1].shape.value: 'plant' cannot be shaped; plant says where it grows from\n"
+     "s.yaml:5:45: actions[1].shape.value: 'plant' is no value to set; plant says where it grows from\n"
      "s.yaml:6:22: actions[2].shape.value: missing; 0 to 64 passes\n"
      "s.yaml:7:45: actions[3].shape.value: 'perhaps' is neither; true or false\n"},
     {"seeds without a picture",

@@ -1,0 +1,65 @@
+/* Scenes beside the painting: trees (garden.h), lightning (storm.h), chemistry (dish.h). Each hears the same actions as
+ * everything else, by their ticks, and only those, so that a journal repeats it; each gives a picture that lies over
+ * the painting, and fields for whatever else wants to grow from it.
+ *
+ *     const struct scene_type *type = scene_types[SCENE_LIGHTNING];
+ *     void *scene = type->create(width, height);
+ *     type->act(scene, ticked, &action);              every action of the tick, also those that are not for it
+ *     type->tick(scene, ticked);                      once they are done, once for each tick
+ *     type->lay(scene, ticked, width, height, rgb);   over a picture of the painting
+ *
+ * A new kind of scene is a pair of files that defines a scene_type, and a line in scene.c. */
+#ifndef FROND_SCENE_H
+#define FROND_SCENE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "action.h"
+
+enum scene_kind {
+    SCENE_PAINTING,  /* the engine's (engine.h): it has no scene_type */
+    SCENE_TREES,     /* a garden over a painting that sleeps */
+    SCENE_LIGHTNING, /* a storm */
+    SCENE_CHEMISTRY, /* a dish */
+    SCENE_KINDS,
+};
+extern const char *const scene_kind_names[SCENE_KINDS + 1]; /* "painting", ...; ends with NULL */
+
+/* What a scene gives to another, as rasters over the sheet. */
+enum scene_field {
+    FIELD_DARK,   /* one channel, 0..1: 0 where it has grown, 1 where nothing is, as ink on paper */
+    FIELD_ALONG,  /* two channels, -1..1: the direction in which it grew there, x right and y down, length at most 1 */
+    FIELD_AROUND, /* one channel, 0..1: what it makes of its surroundings: the potential of a bolt (0 on it), the fresh
+                     chemical u, the importance of a picture; of a painting the solvent's reach */
+    SCENE_FIELDS,
+};
+extern const char *const scene_field_names[SCENE_FIELDS + 1]; /* "dark", "along", "around"; ends with NULL */
+
+struct scene_type {
+    const char *name;                     /* as of scene_kind_names */
+    const struct key *options;            /* what can be set, over struct garden_def's growth, storm_def, dish_def */
+    enum action_verb sets;                /* the verb that sets one: ACTION_SHAPE, ACTION_CONDUCT, ACTION_REACT */
+    bool (*takes)(enum action_verb verb); /* verbs that are for this kind alone: a session with one has such a scene */
+    void *(*create)(int width, int height); /* cells of the sheet. Nothing is on it. NULL when memory is short */
+    void (*destroy)(void *scene);           /* takes NULL */
+    void (*resize)(void *scene, int width, int height); /* the sheet has another grid; what has grown stays */
+    void (*act)(void *scene, int64_t tick, const struct action *action); /* rasters and paths are copied */
+    /* The tick itself. Ticks do not go back, and none is left out. False when memory is short. */
+    bool (*tick)(void *scene, int64_t tick);
+    uint64_t (*can_undo)(const void *scene); /* bit v: visitor v has something to take back */
+    uint64_t (*can_redo)(const void *scene);
+    /* Lays what is to be seen at that tick over width * height * 3 bytes of sRGB. False when memory is short. */
+    bool (*lay)(void *scene, int64_t tick, int width, int height, uint8_t *rgb);
+    /* Fills channels * width * height values, channel by channel, rounded to 1/65536. False when memory is short. */
+    bool (*field)(void *scene, enum scene_field field, int width, int height, float *values);
+    uint64_t (*hash)(const void *scene); /* of all that decides what it looks like, for tests */
+};
+/* By kind; NULL for SCENE_PAINTING. */
+extern const struct scene_type *const scene_types[SCENE_KINDS];
+/* The kind that a verb is for alone, or SCENE_PAINTING. */
+enum scene_kind scene_kind_of(enum action_verb verb);
+/* 1, or 2 for FIELD_ALONG. */
+int scene_field_channels(enum scene_field field);
+
+#endif

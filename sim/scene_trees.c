@@ -1,0 +1,143 @@
+#include "scene_trees.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "garden.h"
+
+struct trees {
+    struct garden *garden;
+    struct plate plate; /* of the last picture's size */
+    bool painted;       /* it is as the garden is now */
+};
+
+static void destroy(void *scene)
+{
+    struct trees *trees = scene;
+    if (trees) {
+        garden_destroy(trees->garden);
+        plate_finish(&trees->plate);
+        free(trees);
+    }
+}
+
+static void *create(int width, int height)
+{
+    struct garden_def def = garden_default_def();
+    struct trees *trees = calloc(1, sizeof *trees);
+    def.width = width;
+    def.height = height;
+    if (trees) {
+        trees->garden = garden_create(&def);
+    }
+    if (trees && !trees->garden) {
+        destroy(trees);
+        trees = NULL;
+    }
+    return trees;
+}
+
+static void resize(void *scene, int width, int height)
+{
+    struct trees *trees = scene;
+    garden_resize(trees->garden, width, height);
+}
+
+static void act(void *scene, int64_t tick, const struct action *action)
+{
+    struct trees *trees = scene;
+    garden_act(trees->garden, tick, action);
+}
+
+static bool tick(void *scene, int64_t now)
+{
+    struct trees *trees = scene;
+    (void)now;
+    if (!garden_due(trees->garden)) {
+        return true;
+    }
+    trees->painted = false;
+    return garden_grow(trees->garden);
+}
+
+static uint64_t can_undo(const void *scene)
+{
+    const struct trees *trees = scene;
+    return garden_can_undo(trees->garden);
+}
+
+static uint64_t can_redo(const void *scene)
+{
+    const struct trees *trees = scene;
+    return garden_can_redo(trees->garden);
+}
+
+static bool paint(struct trees *trees, int width, int height)
+{
+    struct plate *plate = &trees->plate;
+    if (plate->width != width || plate->height != height) {
+        plate_finish(plate);
+        trees->painted = false;
+        if (!plate_init(plate, width, height)) {
+            return false;
+        }
+    }
+    trees->painted = trees->painted || garden_paint(trees->garden, plate);
+    return trees->painted;
+}
+
+static bool lay(void *scene, int64_t now, int width, int height, uint8_t *rgb)
+{
+    struct trees *trees = scene;
+    bool good = paint(trees, width, height);
+    if (good) {
+        plate_reveal(&trees->plate, now, rgb);
+    }
+    return good;
+}
+
+/* As the plate has it, whole, as if all had come. */
+static bool field_dark(struct trees *trees, int width, int height, float *values)
+{
+    bool good = paint(trees, width, height);
+    for (int i = 0; i < width * height && good; i++) {
+        values[i] = 1 - nearbyintf((float)trees->plate.rgba[4 * i + 3] / 255 * 65536) / 65536;
+    }
+    return good;
+}
+
+/* TODO along, around. */
+static bool field(void *scene, enum scene_field which, int width, int height, float *values)
+{
+    struct trees *trees = scene;
+    if (which == FIELD_DARK) {
+        return field_dark(trees, width, height, values);
+    }
+    for (int i = 0; i < width * height * scene_field_channels(which); i++) {
+        values[i] = 0;
+    }
+    return true;
+}
+
+static uint64_t hash(const void *scene)
+{
+    const struct trees *trees = scene;
+    return garden_hash(trees->garden);
+}
+
+const struct scene_type trees_type = {
+    .name = "trees",
+    .options = growth_keys,
+    .sets = ACTION_SHAPE,
+    .takes = garden_takes,
+    .create = create,
+    .destroy = destroy,
+    .resize = resize,
+    .act = act,
+    .tick = tick,
+    .can_undo = can_undo,
+    .can_redo = can_redo,
+    .lay = lay,
+    .field = field,
+    .hash = hash,
+};
