@@ -1,5 +1,7 @@
 #include "bolt.h"
 
+#include <math.h>
+
 #include "random.h"
 
 const char *const bolt_kind_names[BOLT_KINDS + 1] = {"lightning",   "tesla", "tree",     "lichen",  "coral",
@@ -21,235 +23,52 @@ const char *const bolt_kind_meanings[BOLT_KINDS] = {
     "Ice on a pane, from its edge.",
 };
 
-/* What is said of a kind in a line. Colours are linear light; lengths of the look are shares of the shorter side. */
-struct row {
+/* How a kind grows, in a line. */
+struct growing {
     int dimensions, particles;
-    float side;                         /* cells of the growth along the room's shorter side */
-    float eta, eta_end, jitter, extent; /* extent: a share of the shorter side */
+    float side;                 /* cells along the room's shorter side */
+    float eta, eta_end, jitter; /* as of laplacian_keys */
+    float extent;               /* a share of the shorter side; 0: none */
     bool off_grid;
-    int style, smooth;
-    float trunk, tip, pipe, leaves, life;
-    float colour[3], core[3], ground[3];
 };
 
-static const struct row ROWS[BOLT_KINDS] = {
-    [BOLT_LIGHTNING] = {2,
-                        40000,
-                        420,
-                        7,
-                        -1,
-                        0.9f,
-                        0,
-                        true,
-                        BOLT_GLOW,
-                        0,
-                        0.0042f,
-                        0.0005f,
-                        2.6f,
-                        0,
-                        45,
-                        {0.28f, 0.36f, 1},
-                        {1, 0.97f, 1},
-                        {0.004f, 0.005f, 0.016f}},
-    [BOLT_TESLA] = {3,
-                    60000,
-                    520,
-                    8,
-                    -1,
-                    0.9f,
-                    0.46f,
-                    true,
-                    BOLT_GLOW,
-                    0,
-                    0.004f,
-                    0.0005f,
-                    3,
-                    0,
-                    20,
-                    {0.42f, 0.2f, 1},
-                    {1, 0.94f, 1},
-                    {0.005f, 0.003f, 0.012f}},
-    [BOLT_TREE] = {3,
-                   30000,
-                   260,
-                   6,
-                   -1,
-                   0.9f,
-                   0,
-                   true,
-                   BOLT_BODY,
-                   3,
-                   0.022f,
-                   0.001f,
-                   2.1f,
-                   5,
-                   0,
-                   {0.1f, 0.055f, 0.03f},
-                   {0.16f, 0.3f, 0.05f},
-                   {0.72f, 0.8f, 0.86f}},
-    [BOLT_LICHEN] = {2,
-                     16000,
-                     230,
-                     2,
-                     -1,
-                     0.9f,
-                     0,
-                     true,
-                     BOLT_BODY,
-                     1,
-                     0.006f,
-                     0.004f,
-                     3,
-                     0,
-                     0,
-                     {0.5f, 0.52f, 0.28f},
-                     {0.7f, 0.72f, 0.5f},
-                     {0.12f, 0.115f, 0.11f}},
-    [BOLT_CORAL] = {3,
-                    6000,
-                    90,
-                    4,
-                    -1,
-                    0.9f,
-                    0,
-                    true,
-                    BOLT_BODY,
-                    3,
-                    0.03f,
-                    0.008f,
-                    3,
-                    0,
-                    0,
-                    {0.78f, 0.2f, 0.12f},
-                    {1, 0.75f, 0.6f},
-                    {0.01f, 0.07f, 0.11f}},
-    [BOLT_RIVER] = {2,
-                    12000,
-                    300,
-                    5,
-                    -1,
-                    0.9f,
-                    0,
-                    true,
-                    BOLT_LINE,
-                    4,
-                    0.02f,
-                    0.0012f,
-                    2.2f,
-                    0,
-                    0,
-                    {0.03f, 0.13f, 0.16f},
-                    {0.12f, 0.3f, 0.3f},
-                    {0.34f, 0.27f, 0.15f}},
-    [BOLT_SNOW] = {2,
-                   9000,
-                   300,
-                   5,
-                   -1,
-                   0.9f,
-                   0.45f,
-                   true,
-                   BOLT_LINE,
-                   2,
-                   0.012f,
-                   0.0022f,
-                   4,
-                   0,
-                   0,
-                   {0.85f, 0.93f, 1},
-                   {1, 1, 1},
-                   {0.02f, 0.05f, 0.12f}},
-    [BOLT_FRACTURE] = {2,
-                       9000,
-                       420,
-                       9,
-                       -1,
-                       0.9f,
-                       0,
-                       true,
-                       BOLT_LINE,
-                       1,
-                       0.004f,
-                       0.0008f,
-                       3,
-                       0,
-                       0,
-                       {0.85f, 0.92f, 0.95f},
-                       {1, 1, 1},
-                       {0.05f, 0.07f, 0.08f}},
-    [BOLT_VESSELS] = {2,
-                      14000,
-                      330,
-                      5,
-                      -1,
-                      0.9f,
-                      0,
-                      true,
-                      BOLT_LINE,
-                      5,
-                      0.014f,
-                      0.001f,
-                      3,
-                      0,
-                      0,
-                      {0.28f, 0.012f, 0.01f},
-                      {0.9f, 0.5f, 0.25f},
-                      {0.6f, 0.16f, 0.05f}},
-    [BOLT_CITY] = {2,
-                   5000,
-                   110,
-                   2.5f,
-                   -1,
-                   0,
-                   0,
-                   false,
-                   BOLT_LINE,
-                   0,
-                   0.009f,
-                   0.0016f,
-                   2.5f,
-                   0,
-                   0,
-                   {0.9f, 0.85f, 0.7f},
-                   {1, 0.8f, 0.35f},
-                   {0.09f, 0.1f, 0.1f}},
+static const struct growing GROWINGS[BOLT_KINDS] = {
+    [BOLT_LIGHTNING] = {2, 14000, 380, 6, -1, 0.9f, 0, true},
+    [BOLT_TESLA] = {3, 24000, 220, 5, -1, 0.9f, 0.48f, true},
+    [BOLT_TREE] = {3, 16000, 90, 6, -1, 0.9f, 0, true},
+    [BOLT_LICHEN] = {2, 16000, 230, 2, -1, 0.9f, 0, true},
+    [BOLT_CORAL] = {3, 1700, 50, 8, -1, 0.9f, 0, true},
+    [BOLT_RIVER] = {2, 14000, 210, 5, -1, 0.9f, 0, true},
+    [BOLT_SNOW] = {2, 9000, 330, 2.5f, -1, 0.9f, 0, true},
+    [BOLT_FRACTURE] = {2, 3600, 240, 4, -1, 0.9f, 0, true},
+    [BOLT_VESSELS] = {2, 20000, 300, 4, -1, 0.9f, 0, true},
+    [BOLT_CITY] = {2, 7000, 110, 1.2f, -1, 0, 0, false},
+    [BOLT_LICHTENBERG] = {2, 40000, 420, 3.5f, -1, 0.9f, 0.48f, true},
+    [BOLT_FROST] = {2, 16000, 300, 2.5f, -1, 0.9f, 0, true},
+};
+
+/* Its look: lengths are shares of the room's shorter side. */
+static const struct bolt_look LOOKS[BOLT_KINDS] = {
+    [BOLT_LIGHTNING] =
+        {BOLT_GLOW, 0.0042f, 0.0005f, 2.6f, {0.28f, 0.36f, 1}, {1, 0.97f, 1}, {0.004f, 0.005f, 0.016f}, 0, 45, 0},
+    [BOLT_TESLA] = {BOLT_GLOW, 0.004f, 0.0005f, 3, {0.42f, 0.2f, 1}, {1, 0.94f, 1}, {0.005f, 0.003f, 0.012f}, 0, 20, 0},
+    [BOLT_TREE] =
+        {BOLT_BODY, 0.02f, 0.001f, 2.1f, {0.1f, 0.055f, 0.03f}, {0.16f, 0.3f, 0.05f}, {0.72f, 0.8f, 0.86f}, 5, 0, 3},
+    [BOLT_LICHEN] =
+        {BOLT_BODY, 0.006f, 0.004f, 3, {0.5f, 0.52f, 0.28f}, {0.7f, 0.72f, 0.5f}, {0.12f, 0.115f, 0.11f}, 0, 0, 1},
+    [BOLT_CORAL] =
+        {BOLT_BODY, 0.03f, 0.008f, 3, {0.78f, 0.2f, 0.12f}, {1, 0.75f, 0.6f}, {0.01f, 0.07f, 0.11f}, 0, 0, 4},
+    [BOLT_RIVER] =
+        {BOLT_LINE, 0.02f, 0.0012f, 2.2f, {0.03f, 0.13f, 0.16f}, {0.12f, 0.3f, 0.3f}, {0.34f, 0.27f, 0.15f}, 0, 0, 4},
+    [BOLT_SNOW] = {BOLT_LINE, 0.012f, 0.0022f, 4, {0.85f, 0.93f, 1}, {1, 1, 1}, {0.02f, 0.05f, 0.12f}, 0, 0, 2},
+    [BOLT_FRACTURE] = {BOLT_LINE, 0.004f, 0.0008f, 3, {0.85f, 0.92f, 0.95f}, {1, 1, 1}, {0.05f, 0.07f, 0.08f}, 0, 0, 1},
+    [BOLT_VESSELS] =
+        {BOLT_LINE, 0.014f, 0.001f, 3, {0.28f, 0.012f, 0.01f}, {0.9f, 0.5f, 0.25f}, {0.6f, 0.16f, 0.05f}, 0, 0, 5},
+    [BOLT_CITY] =
+        {BOLT_LINE, 0.008f, 0.0016f, 2.5f, {0.9f, 0.85f, 0.7f}, {1, 0.8f, 0.35f}, {0.09f, 0.1f, 0.1f}, 0, 0, 0},
     [BOLT_LICHTENBERG] =
-        {2,
-         30000,
-         420,
-         5,
-         -1,
-         0.9f,
-         0.47f,
-         true,
-         BOLT_GLOW,
-         0,
-         0.005f,
-         0.0006f,
-         2.6f,
-         0,
-         0,
-         {0.2f, 0.45f, 1},
-         {0.95f, 1, 1},
-         {0.003f, 0.005f, 0.012f}},
-    [BOLT_FROST] = {2,
-                    20000,
-                    330,
-                    4,
-                    -1,
-                    0.9f,
-                    0,
-                    true,
-                    BOLT_LINE,
-                    2,
-                    0.005f,
-                    0.001f,
-                    3,
-                    0,
-                    0,
-                    {0.75f, 0.87f, 0.95f},
-                    {1, 1, 1},
-                    {0.03f, 0.07f, 0.11f}},
+        {BOLT_GLOW, 0.005f, 0.0006f, 2.6f, {0.2f, 0.45f, 1}, {0.95f, 1, 1}, {0.003f, 0.005f, 0.012f}, 0, 0, 0},
+    [BOLT_FROST] = {BOLT_LINE, 0.005f, 0.001f, 3, {0.75f, 0.87f, 0.95f}, {1, 1, 1}, {0.03f, 0.07f, 0.11f}, 0, 0, 2},
 };
 
 static const float HALF_ROOT_3 = 0.8660254f;
@@ -283,18 +102,91 @@ static float chance(int index, int which)
     return random_unit(index, which, 0x626f6c74u, RANDOM_PLACE);
 }
 
+/* Cosine and sine of a share of a turn: by series, the same on every machine. */
+static void circle(float part, float *x, float *y)
+{
+    double whole = (double)part - floor((double)part), angle = 6.283185307179586 * (whole - 0.5);
+    double square = angle * angle, odd = angle, sine = angle, even = 1, cosine = 1;
+    for (int k = 1; k < 16; k++) {
+        even *= -square / ((2 * k - 1) * (2 * k));
+        cosine += even;
+        odd *= -square / ((2 * k) * (2 * k + 1));
+        sine += odd;
+    }
+    *x = (float)-cosine;
+    *y = (float)-sine;
+}
+
+/* Repulsors around: an arm that is ahead waits for the others. */
+static void add_ring(struct bolt *bolt, int count, float charge, float wide, float high)
+{
+    for (int i = 0; i < count; i++) {
+        float x, y;
+        circle((float)i / (float)count, &x, &y);
+        add_charge(bolt, LAPLACIAN_POINT, charge, wide * x, high * y);
+    }
+}
+
+/* A direction, evenly distributed: on the circle, or on the sphere. */
+static void any_way(int dimensions, int index, float way[3])
+{
+    float squared = 0;
+    for (int again = 0; squared < 0.05f || squared > 1; again++) {
+        squared = 0;
+        for (int d = 0; d < 3; d++) {
+            way[d] = d < dimensions ? 2 * chance(index + 1000 * again, 20 + d) - 1 : 0;
+            squared += way[d] * way[d];
+        }
+    }
+    for (int d = 0; d < 3; d++) {
+        way[d] /= sqrtf(squared);
+    }
+}
+
 static void set_lightning(struct bolt *bolt, const struct room *room)
 {
     add_point(bolt, -0.08f * room->x, -0.98f * room->y);
-    add_charge(bolt, LAPLACIAN_PLANE, -6000, 0, -1.06f * room->y);
-    add_charge(bolt, LAPLACIAN_PLANE, 20000, 0, 1.1f * room->y);
-    add_charge(bolt, LAPLACIAN_POINT, 4000, 0.1f * room->x, 0.97f * room->y)->ends = true;
+    add_charge(bolt, LAPLACIAN_POINT, 26000, 0.1f * room->x, 2.5f * room->y);
+    add_charge(bolt, LAPLACIAN_PLANE, 100, 0, 0.97f * room->y)->ends = true;
+}
+
+static void set_tesla(struct bolt *bolt, const struct room *room)
+{
+    for (int i = 0; i < 40; i++) {
+        float way[3], far = (0.1f + 0.1f * chance(i, 5)) * room->side;
+        any_way(3, i, way);
+        if (i < 14) {
+            bolt->seeds[bolt->growth.seed_count++] =
+                (struct laplacian_seed){{0}, {far * way[0], far * way[1], far * way[2]}};
+        }
+        far = 0.6f * room->side;
+        add_charge(bolt, LAPLACIAN_POINT, -600, far * way[0], far * way[1])->at[2] = far * way[2];
+    }
+}
+
+/* `far` cells from a place: away from the axis by `out`, up by `up`, by a share of a turn about it. */
+static void add_bough(struct bolt *bolt, const float from[3], float far, float out, float up, float part)
+{
+    float x, z;
+    circle(part, &x, &z);
+    bolt->seeds[bolt->growth.seed_count++] = (struct laplacian_seed){
+        {from[0], from[1], from[2]}, {from[0] + far * out * x, from[1] - far * up, from[2] + far * out * z}};
 }
 
 static void set_tree(struct bolt *bolt, const struct room *room)
 {
-    add_seed(bolt, 0, 0.93f * room->y, 0, 0.6f * room->y);
-    add_charge(bolt, LAPLACIAN_PLANE, -3000, 0, 0.96f * room->y);
+    enum { BOUGHS = 9 };
+    float foot = 0.94f * room->y, fork = 0.35f * room->y, top = -0.05f * room->y;
+    add_seed(bolt, 0, foot, 0, top);
+    for (int i = 0; i < BOUGHS; i++) {
+        float share = (float)i / BOUGHS, from[3] = {0, fork + share * (top - fork), 0};
+        add_bough(bolt, from, (0.26f - 0.1f * share) * room->side, 0.85f - 0.3f * share, 0.5f + 0.5f * share,
+                  0.382f * (float)i + 0.05f * chance(i, 4));
+    }
+    add_charge(bolt, LAPLACIAN_PLANE, -3000, 0, 0.97f * room->y);
+    for (int i = 0; i < 8; i++) {
+        add_charge(bolt, LAPLACIAN_POINT, -200, 0, foot + (fork - foot) * (float)i / 8);
+    }
 }
 
 static void set_lichen(struct bolt *bolt, const struct room *room)
@@ -307,42 +199,83 @@ static void set_lichen(struct bolt *bolt, const struct room *room)
 
 static void set_coral(struct bolt *bolt, const struct room *room)
 {
-    add_point(bolt, 0, 0.85f * room->y);
-    add_point(bolt, -0.2f * room->x, 0.85f * room->y);
-    add_point(bolt, 0.22f * room->x, 0.85f * room->y);
-    add_charge(bolt, LAPLACIAN_PLANE, -1500, 0, 0.9f * room->y);
+    enum { BOUGHS = 7 };
+    const float from[3] = {0, 0.84f * room->y, 0};
+    for (int i = 0; i < BOUGHS; i++) {
+        add_bough(bolt, from, (0.22f + 0.12f * chance(i, 5)) * room->side, i == 0 ? 0.1f : 0.8f,
+                  0.7f + 0.4f * chance(i, 6), 0.1667f * (float)i + 0.1f * chance(i, 4));
+    }
+    add_charge(bolt, LAPLACIAN_PLANE, -1500, 0, 0.95f * room->y);
 }
 
 static void set_river(struct bolt *bolt, const struct room *room)
 {
-    add_seed(bolt, 0, -1.1f * room->y, 0, -0.5f * room->y);
-    add_charge(bolt, LAPLACIAN_PLANE, -4000, 0, -1.2f * room->y);
-    add_charge(bolt, LAPLACIAN_PLANE, 8000, 0, 1.1f * room->y)->ends = true;
+    static const float BENDS[6] = {0.12f, 0.0f, -0.1f, 0.02f, 0.06f, 0};
+    for (int i = 0; i < 5; i++) {
+        float y = (-1.1f + 0.13f * (float)i) * room->y, next = (-1.1f + 0.13f * (float)(i + 1)) * room->y;
+        add_seed(bolt, BENDS[i] * room->x, y, BENDS[i + 1] * room->x, next);
+        add_charge(bolt, LAPLACIAN_POINT, -900, (BENDS[i] - 0.15f) * room->x, y);
+        add_charge(bolt, LAPLACIAN_POINT, -900, (BENDS[i] + 0.15f) * room->x, y);
+    }
+    add_charge(bolt, LAPLACIAN_POINT, 60000, 0, 3 * room->y);
+    add_charge(bolt, LAPLACIAN_PLANE, 100, 0, 0.86f * room->y)->ends = true;
 }
 
+/* Arms with twigs at 60 degrees, of no two the same length; the growth does the rest. */
 static void set_snow(struct bolt *bolt, const struct room *room)
 {
     static const float WAYS[6][2] = {{0, -1}, {HALF_ROOT_3, -0.5f}, {HALF_ROOT_3, 0.5f},
                                      {0, 1},  {-HALF_ROOT_3, 0.5f}, {-HALF_ROOT_3, -0.5f}};
+    enum { TWIGS = 3 };
     float far = 0.5f * room->side;
     for (int i = 0; i < 6; i++) {
-        add_seed(bolt, 0, 0, 0.05f * far * WAYS[i][0], 0.05f * far * WAYS[i][1]);
-        add_charge(bolt, LAPLACIAN_POINT, 3000, 1.1f * far * WAYS[i][0], 1.1f * far * WAYS[i][1]);
+        const float *way = WAYS[i], *left = WAYS[(i + 5) % 6], *right = WAYS[(i + 1) % 6];
+        float arm = (0.74f + 0.06f * chance(i, 14)) * far;
+        add_seed(bolt, 0, 0, arm * way[0], arm * way[1]);
+        for (int k = 0; k < 2 * TWIGS; k++) {
+            const float *aside = k < TWIGS ? left : right;
+            float at = (0.2f + 0.17f * (float)(k % TWIGS) + 0.05f * chance(6 * i + k, 15)) * far;
+            float twig = (0.26f - 0.05f * (float)(k % TWIGS) + 0.08f * chance(6 * i + k, 16)) * far;
+            add_seed(bolt, at * way[0], at * way[1], at * way[0] + twig * aside[0], at * way[1] + twig * aside[1]);
+        }
+        add_charge(bolt, LAPLACIAN_POINT, -1200, 1.15f * far * way[0], 1.15f * far * way[1]);
+        add_charge(bolt, LAPLACIAN_POINT, -300, far * (way[0] + right[0]) * 0.6f, far * (way[1] + right[1]) * 0.6f);
     }
 }
 
+/* Rays of an impact, each with two kinks, and arcs between some of them. */
 static void set_fracture(struct bolt *bolt, const struct room *room)
 {
-    float at_x = 0.1f * room->x, at_y = -0.08f * room->y;
-    add_point(bolt, at_x, at_y);
+    enum { RAYS = 11 };
+    float at_x = 0.1f * room->x, at_y = -0.08f * room->y, knots[RAYS + 1][4][2];
+    for (int i = 0; i < RAYS; i++) {
+        float part = ((float)i + 0.7f * chance(i, 10)) / RAYS, far = 0;
+        for (int k = 0; k < 4; k++) {
+            float x, y;
+            circle(part + (k > 0 ? 0.024f * (chance(i, 11 + k) - 0.5f) : 0), &x, &y);
+            knots[i][k][0] = at_x + far * x;
+            knots[i][k][1] = at_y + far * y;
+            if (k > 0) {
+                add_seed(bolt, knots[i][k - 1][0], knots[i][k - 1][1], knots[i][k][0], knots[i][k][1]);
+            }
+            far += (k == 0 ? 0.1f : 0.13f) * room->side * (0.7f + 0.6f * chance(i, 30 + k));
+        }
+    }
+    for (int i = 0; i < RAYS; i++) {
+        float(*next)[2] = knots[(i + 1) % RAYS];
+        for (int k = 1; k < 3; k++) {
+            if (chance(i, 40 + k) < 0.7f) {
+                add_seed(bolt, knots[i][k][0], knots[i][k][1], next[k][0], next[k][1]);
+            }
+        }
+    }
+    add_ring(bolt, 40, -60, 1.3f * room->x, 1.3f * room->y);
 }
 
 static void set_vessels(struct bolt *bolt, const struct room *room)
 {
     add_point(bolt, -0.45f * room->x, 0);
-    for (int i = 0; i < 40; i++) {
-        add_charge(bolt, LAPLACIAN_POINT, 300, (2 * chance(i, 2) - 1) * room->x, (2 * chance(i, 3) - 1) * room->y);
-    }
+    add_ring(bolt, 48, -350, 1.05f * room->x, 1.05f * room->y);
 }
 
 static void set_city(struct bolt *bolt, const struct room *room)
@@ -353,58 +286,64 @@ static void set_city(struct bolt *bolt, const struct room *room)
 
 static void set_frost(struct bolt *bolt, const struct room *room)
 {
-    add_seed(bolt, -room->x, -0.6f * room->y, -room->x, room->y);
-    add_seed(bolt, -room->x, room->y, 0.8f * room->x, room->y);
+    enum { FERNS = 9, PIECES = 4 };
+    for (int i = 0; i < FERNS; i++) {
+        float part = 0.75f + 0.25f * ((float)i + 0.3f + 0.4f * chance(i, 10)) / FERNS;
+        float bend = 0.024f * (chance(i, 11) - 0.5f), far = (0.09f + 0.17f * chance(i, 12)) * room->side;
+        float x = -room->x, y = room->y;
+        for (int k = 0; k < PIECES; k++) {
+            float along, down;
+            circle(part + bend * (float)k, &along, &down);
+            add_seed(bolt, x, y, x + far * along, y + far * down);
+            x += far * along;
+            y += far * down;
+        }
+    }
+    add_ring(bolt, 40, -500, 1.6f * room->x, 1.6f * room->y);
 }
 
-static void set_middle(struct bolt *bolt, const struct room *room)
+static void set_lichtenberg(struct bolt *bolt, const struct room *room)
 {
-    (void)room;
     add_point(bolt, 0, 0);
+    add_ring(bolt, 48, -600, 0.53f * room->side, 0.53f * room->side);
 }
 
 static void (*const SETS[BOLT_KINDS])(struct bolt *bolt, const struct room *room) = {
-    [BOLT_LIGHTNING] = set_lightning, [BOLT_TESLA] = set_middle,       [BOLT_TREE] = set_tree,
-    [BOLT_LICHEN] = set_lichen,       [BOLT_CORAL] = set_coral,        [BOLT_RIVER] = set_river,
-    [BOLT_SNOW] = set_snow,           [BOLT_FRACTURE] = set_fracture,  [BOLT_VESSELS] = set_vessels,
-    [BOLT_CITY] = set_city,           [BOLT_LICHTENBERG] = set_middle, [BOLT_FROST] = set_frost,
+    [BOLT_LIGHTNING] = set_lightning,
+    [BOLT_TESLA] = set_tesla,
+    [BOLT_TREE] = set_tree,
+    [BOLT_LICHEN] = set_lichen,
+    [BOLT_CORAL] = set_coral,
+    [BOLT_RIVER] = set_river,
+    [BOLT_SNOW] = set_snow,
+    [BOLT_FRACTURE] = set_fracture,
+    [BOLT_VESSELS] = set_vessels,
+    [BOLT_CITY] = set_city,
+    [BOLT_LICHTENBERG] = set_lichtenberg,
+    [BOLT_FROST] = set_frost,
 };
-
-static struct bolt_look look_of(const struct row *row, float shorter)
-{
-    struct bolt_look look = {.style = row->style,
-                             .trunk = row->trunk * shorter,
-                             .tip = row->tip * shorter,
-                             .pipe = row->pipe,
-                             .leaves = row->leaves,
-                             .life = row->life,
-                             .smooth = row->smooth};
-    for (int c = 0; c < 3; c++) {
-        look.colour[c] = row->colour[c];
-        look.core[c] = row->core[c];
-        look.ground[c] = row->ground[c];
-    }
-    return look;
-}
 
 void bolt_preset(struct bolt *bolt, enum bolt_kind kind, int width, int height)
 {
-    const struct row *row = &ROWS[(int)kind >= 0 && kind < BOLT_KINDS ? kind : BOLT_LIGHTNING];
+    kind = (int)kind >= 0 && kind < BOLT_KINDS ? kind : BOLT_LIGHTNING;
+    const struct growing *growing = &GROWINGS[kind];
     float shorter = (float)(width < height ? width : height);
-    *bolt = (struct bolt){.growth = laplacian_default_def(), .look = look_of(row, shorter)};
+    *bolt = (struct bolt){.growth = laplacian_default_def(), .look = LOOKS[kind]};
+    bolt->look.trunk *= shorter;
+    bolt->look.tip *= shorter;
     struct laplacian_def *growth = &bolt->growth;
-    growth->dimensions = row->dimensions;
-    growth->particles = row->particles;
-    growth->eta = row->eta;
-    growth->eta_end = row->eta_end;
-    growth->jitter = row->jitter;
-    growth->extent = row->extent * row->side;
-    growth->off_grid = row->off_grid;
-    growth->span = row->side * (float)width / shorter;
+    growth->dimensions = growing->dimensions;
+    growth->particles = growing->particles;
+    growth->eta = growing->eta;
+    growth->eta_end = growing->eta_end;
+    growth->jitter = growing->jitter;
+    growth->extent = growing->extent * growing->side;
+    growth->off_grid = growing->off_grid;
+    growth->span = growing->side * (float)width / shorter;
     growth->charges = bolt->charges;
     growth->seeds = bolt->seeds;
-    struct room room = {0.5f * growth->span, 0.5f * row->side * (float)height / shorter, row->side};
-    SETS[row - ROWS](bolt, &room);
+    struct room room = {0.5f * growth->span, 0.5f * growing->side * (float)height / shorter, growing->side};
+    SETS[kind](bolt, &room);
 }
 
 float bolt_scale(const struct bolt *bolt, int width)

@@ -39,7 +39,7 @@ struct bolt_look {
  * of the room (bolt_scale); its origin is the middle of the room, and charges and seeds lie about it. A scene that lets
  * it begin elsewhere moves both by where that is, less seeds[0].from. `charges` and `seeds` of the definition point
  * into `bolt` itself. */
-enum { BOLT_CHARGES = 64, BOLT_SEEDS = 16 };
+enum { BOLT_CHARGES = 64, BOLT_SEEDS = 64 };
 struct bolt {
     struct laplacian_def growth;
     struct laplacian_charge charges[BOLT_CHARGES];

@@ -110,6 +110,27 @@ static bool even_out(struct bolt_shape *shape, int times)
     return good;
 }
 
+/* Seeds hang together where they touch: the nearest earlier one, at most a diagonal away; -1: none. */
+static int32_t seed_before(const struct laplacian *laplacian, int32_t i)
+{
+    enum { LOOKED_AT = 4096 };
+    struct laplacian_node here = laplacian_node(laplacian, i);
+    float nearest = 3.1f;
+    int32_t found = -1;
+    for (int32_t k = i - 1; k >= 0 && k >= i - LOOKED_AT; k--) {
+        struct laplacian_node before = laplacian_node(laplacian, k);
+        float squared = 0;
+        for (int d = 0; d < LAPLACIAN_DIMENSIONS_MAX; d++) {
+            squared += (here.at[d] - before.at[d]) * (here.at[d] - before.at[d]);
+        }
+        if (squared < nearest) {
+            nearest = squared;
+            found = k;
+        }
+    }
+    return found;
+}
+
 bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian, const struct bolt_look *look,
                      const struct bolt_sight *sight)
 {
@@ -123,9 +144,9 @@ bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian
         struct laplacian_node from = laplacian_node(laplacian, i);
         struct bolt_node *node = &shape->nodes[i];
         place(node, &from, sight);
-        node->parent = from.parent;
+        node->parent = from.parent >= 0 ? from.parent : seed_before(laplacian, i);
         node->heaviest = -1;
-        node->steps = from.parent >= 0 ? shape->nodes[from.parent].steps + 1 : 0;
+        node->steps = node->parent >= 0 ? shape->nodes[node->parent].steps + 1 : 0;
         farthest = node->steps > shape->nodes[farthest].steps ? i : farthest;
     }
     shape->longest = shape->nodes[farthest].steps;
