@@ -167,5 +167,7 @@ void bolt_chain_at(const struct bolt_chain *chain, float x, float y, float *valu
 {
     struct between from = between(chain, 1, x / 2, y / 2);
     *value = mixed(chain->value[1], &from);
-    *weight = weight && chain->weight[1] ? mixed(chain->weight[1], &from) : 0;
+    if (weight) {
+        *weight = mixed(chain->weight[1], &from);
+    }
 }
