@@ -68,17 +68,17 @@ struct growing {
 
 static const struct growing GROWINGS[BOLT_KINDS] = {
     [BOLT_LIGHTNING] = {2, 14000, 380, 7, -1, 0.9f, 0, true},
-    [BOLT_TESLA] = {3, 14000, 200, 4.5f, -1, 0.9f, 0, true},
+    [BOLT_TESLA] = {2, 16000, 420, 5.5f, -1, 0.9f, 0.5f, true},
     [BOLT_TREE] = {3, 16000, 80, 6, -1, 0.9f, 0, true},
     [BOLT_LICHEN] = {2, 22000, 230, 2, -1, 0.9f, 0, true},
-    [BOLT_CORAL] = {3, 1700, 50, 8, -1, 0.9f, 0, true},
+    [BOLT_CORAL] = {3, 2200, 52, 8, -1, 0.9f, 0, true},
     [BOLT_RIVER] = {2, 14000, 210, 5, -1, 0.9f, 0, true},
     [BOLT_SNOW] = {2, 9000, 330, 2.5f, -1, 0.9f, 0, true},
-    [BOLT_FRACTURE] = {2, 3600, 260, 4, -1, 0.9f, 0, true},
+    [BOLT_FRACTURE] = {2, 1900, 260, 6, -1, 0.9f, 0, true},
     [BOLT_VESSELS] = {2, 20000, 300, 4, -1, 0.9f, 0, true},
     [BOLT_CITY] = {2, 7000, 110, 1.2f, -1, 0, 0, false},
     [BOLT_LICHTENBERG] = {2, 40000, 420, 3.5f, -1, 0.9f, 0.48f, true},
-    [BOLT_FROST] = {2, 16000, 330, 2, -1, 0.9f, 0, true},
+    [BOLT_FROST] = {2, 26000, 330, 1, -1, 0.9f, 0, true},
 };
 
 /* Its look: lengths are shares of the room's shorter side. */
@@ -89,20 +89,29 @@ static const struct bolt_look LOOKS[BOLT_KINDS] = {
     [BOLT_TREE] =
         {BOLT_BODY, 0.02f, 0.001f, 2.1f, {0.1f, 0.055f, 0.03f}, {0.16f, 0.3f, 0.05f}, {0.72f, 0.8f, 0.86f}, 5, 0, 3},
     [BOLT_LICHEN] =
-        {BOLT_BODY, 0.006f, 0.004f, 3, {0.5f, 0.52f, 0.28f}, {0.7f, 0.72f, 0.5f}, {0.12f, 0.115f, 0.11f}, 0, 0, 1},
+        {BOLT_BODY, 0.007f, 0.0045f, 3, {0.36f, 0.42f, 0.17f}, {0.62f, 0.66f, 0.36f}, {0.07f, 0.066f, 0.064f}, 0, 0, 1},
     [BOLT_CORAL] =
-        {BOLT_BODY, 0.03f, 0.008f, 3, {0.78f, 0.2f, 0.12f}, {1, 0.75f, 0.6f}, {0.01f, 0.07f, 0.11f}, 0, 0, 4},
-    [BOLT_RIVER] =
-        {BOLT_LINE, 0.02f, 0.0012f, 2.2f, {0.03f, 0.13f, 0.16f}, {0.12f, 0.3f, 0.3f}, {0.34f, 0.27f, 0.15f}, 0, 0, 4},
+        {BOLT_BODY, 0.026f, 0.008f, 3, {0.78f, 0.13f, 0.07f}, {1, 0.5f, 0.33f}, {0.006f, 0.05f, 0.085f}, 0, 0, 4},
+    [BOLT_RIVER] = {BOLT_LINE,
+                    0.018f,
+                    0.0011f,
+                    2.2f,
+                    {0.035f, 0.12f, 0.13f},
+                    {0.07f, 0.22f, 0.22f},
+                    {0.3f, 0.26f, 0.13f},
+                    0,
+                    0,
+                    9},
     [BOLT_SNOW] = {BOLT_LINE, 0.012f, 0.0022f, 4, {0.85f, 0.93f, 1}, {1, 1, 1}, {0.02f, 0.05f, 0.12f}, 0, 0, 2},
-    [BOLT_FRACTURE] = {BOLT_LINE, 0.004f, 0.0008f, 3, {0.85f, 0.92f, 0.95f}, {1, 1, 1}, {0.05f, 0.07f, 0.08f}, 0, 0, 1},
+    [BOLT_FRACTURE] =
+        {BOLT_LINE, 0.0032f, 0.0007f, 3, {0.62f, 0.78f, 0.82f}, {1, 1, 1}, {0.018f, 0.03f, 0.036f}, 0, 0, 0},
     [BOLT_VESSELS] =
-        {BOLT_LINE, 0.014f, 0.001f, 3, {0.28f, 0.012f, 0.01f}, {0.9f, 0.5f, 0.25f}, {0.6f, 0.16f, 0.05f}, 0, 0, 5},
+        {BOLT_LINE, 0.009f, 0.0009f, 3, {0.3f, 0.012f, 0.008f}, {0.55f, 0.05f, 0.02f}, {0.66f, 0.2f, 0.07f}, 0, 0, 5},
     [BOLT_CITY] =
-        {BOLT_LINE, 0.008f, 0.0016f, 2.5f, {0.9f, 0.85f, 0.7f}, {1, 0.8f, 0.35f}, {0.09f, 0.1f, 0.1f}, 0, 0, 0},
+        {BOLT_LINE, 0.0055f, 0.0011f, 2.5f, {0.8f, 0.42f, 0.13f}, {1, 0.83f, 0.5f}, {0.006f, 0.008f, 0.014f}, 0, 0, 0},
     [BOLT_LICHTENBERG] =
         {BOLT_GLOW, 0.005f, 0.0006f, 2.6f, {0.2f, 0.45f, 1}, {0.95f, 1, 1}, {0.003f, 0.005f, 0.012f}, 0, 0, 0},
-    [BOLT_FROST] = {BOLT_LINE, 0.005f, 0.001f, 3, {0.75f, 0.87f, 0.95f}, {1, 1, 1}, {0.03f, 0.07f, 0.11f}, 0, 0, 2},
+    [BOLT_FROST] = {BOLT_LINE, 0.004f, 0.001f, 3, {0.62f, 0.8f, 0.92f}, {1, 1, 1}, {0.012f, 0.035f, 0.07f}, 0, 0, 1},
 };
 
 static const float HALF_ROOT_3 = 0.8660254f;
@@ -186,16 +195,13 @@ static void set_lightning(struct bolt *bolt, const struct room *room)
 
 static void set_tesla(struct bolt *bolt, const struct room *room)
 {
-    for (int i = 0; i < 40; i++) {
-        float way[3], far = (0.1f + 0.1f * chance(i, 5)) * room->side;
-        any_way(3, i, way);
-        if (i < 14) {
-            bolt->seeds[bolt->growth.seed_count++] =
-                (struct laplacian_seed){{0}, {far * way[0], far * way[1], far * way[2]}};
-        }
-        far = 0.55f * room->side;
-        add_charge(bolt, LAPLACIAN_POINT, -700, far * way[0], far * way[1])->at[2] = far * way[2];
+    enum { STREAMERS = 13 };
+    for (int i = 0; i < STREAMERS; i++) {
+        float x, y, far = (0.06f + 0.03f * chance(i, 5)) * room->side;
+        circle(((float)i + 0.6f * chance(i, 6)) / STREAMERS, &x, &y);
+        add_seed(bolt, 0, 0, far * x, far * y);
     }
+    add_ring(bolt, 48, -700, 0.53f * room->side, 0.53f * room->side);
 }
 
 /* `far` cells from a place: away from the axis by `out`, up by `up`, by a share of a turn about it. */
@@ -282,10 +288,10 @@ static void set_snow(struct bolt *bolt, const struct room *room)
 /* Rays of an impact, each with two kinks, and arcs between some of them. */
 static void set_fracture(struct bolt *bolt, const struct room *room)
 {
-    enum { RAYS = 11 };
+    enum { RAYS = 12 };
     float at_x = 0.1f * room->x, at_y = -0.08f * room->y, knots[RAYS + 1][4][2];
     for (int i = 0; i < RAYS; i++) {
-        float part = ((float)i + 0.7f * chance(i, 10)) / RAYS, far = 0;
+        float part = ((float)i + 0.8f * chance(i, 10)) / RAYS, far = 0;
         for (int k = 0; k < 4; k++) {
             float x, y;
             circle(part + (k > 0 ? 0.024f * (chance(i, 11 + k) - 0.5f) : 0), &x, &y);
@@ -300,7 +306,7 @@ static void set_fracture(struct bolt *bolt, const struct room *room)
     for (int i = 0; i < RAYS; i++) {
         float(*next)[2] = knots[(i + 1) % RAYS];
         for (int k = 1; k < 3; k++) {
-            if (chance(i, 40 + k) < 0.7f) {
+            if (chance(i, 40 + k) < (k == 1 ? 0.9f : 0.45f)) {
                 add_seed(bolt, knots[i][k][0], knots[i][k][1], next[k][0], next[k][1]);
             }
         }
