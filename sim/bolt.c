@@ -10,7 +10,7 @@ const char *const bolt_kind_names[BOLT_KINDS + 1] = {"lightning",   "tesla", "tr
 
 const char *const bolt_kind_meanings[BOLT_KINDS] = {
     "A strike from the clouds to the ground: it ends where it hits.",
-    "Streamers from an electrode in all directions, in three dimensions; they keep clear of each other.",
+    "Streamers from an electrode in all directions; they keep clear of each other.",
     "A tree in three dimensions, away from the ground, with a leaf at every fifth particle of its twigs.",
     "A crust with lobes, from a few places, as on stone.",
     "Thick branches from the ground, in three dimensions.",
@@ -167,22 +167,6 @@ static void add_ring(struct bolt *bolt, int count, float charge, float wide, flo
         float x, y;
         circle((float)i / (float)count, &x, &y);
         add_charge(bolt, LAPLACIAN_POINT, charge, wide * x, high * y);
-    }
-}
-
-/* A direction, evenly distributed: on the circle, or on the sphere. */
-static void any_way(int dimensions, int index, float way[3])
-{
-    float squared = 0;
-    for (int again = 0; squared < 0.05f || squared > 1; again++) {
-        squared = 0;
-        for (int d = 0; d < 3; d++) {
-            way[d] = d < dimensions ? 2 * chance(index + 1000 * again, 20 + d) - 1 : 0;
-            squared += way[d] * way[d];
-        }
-    }
-    for (int d = 0; d < 3; d++) {
-        way[d] /= sqrtf(squared);
     }
 }
 
