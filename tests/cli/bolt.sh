@@ -74,7 +74,7 @@ expect 0 --kind tree --particles 500 --size 240x180 --seed 4 -o a.png -o a.svg -
 reads png a.png 240 180 8
 reads png p.png 240 180 8
 reads png h.png 240 180 16
-reads png film/000000.png 240 180 8
+reads png film/000001.png 240 180 8
 reads png film/000002.png 240 180 8
 reads svg a.svg a.json
 reads tubes a.obj
