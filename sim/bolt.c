@@ -23,6 +23,40 @@ const char *const bolt_kind_meanings[BOLT_KINDS] = {
     "Ice on a pane, from its edge.",
 };
 
+const char *const bolt_style_names[BOLT_STYLES + 1] = {"glow", "line", "body", NULL};
+
+#define LENGTH(field, most, text)                                                                                      \
+    {                                                                                                                  \
+        .name = #field, .type = KEY_NUMBER, .unit = "pixels", .min = 0, .max = most,                                   \
+        .offset = offsetof(struct bolt_look, field), .meaning = text                                                   \
+    }
+#define VALUE(field, least, most, what, text)                                                                          \
+    {                                                                                                                  \
+        .name = #field, .type = KEY_NUMBER, .unit = what, .min = least, .max = most,                                   \
+        .offset = offsetof(struct bolt_look, field), .meaning = text                                                   \
+    }
+
+const struct key bolt_look_keys[] = {
+    {.name = "style",
+     .type = KEY_CHOICE,
+     .unit = "",
+     .choices = bolt_style_names,
+     .offset = offsetof(struct bolt_look, style),
+     .meaning = "Light that glows, lines on a ground, or lit bodies."},
+    LENGTH(trunk, 1000, "Radius where it is widest."),
+    LENGTH(tip, 200, "Radius at the tips."),
+    VALUE(pipe, 0.5, 10, "", "Radius to this power adds up where branches meet: 2 as trees do, 3 as vessels do."),
+    VALUE(leaves, 0, 1000, "particles", "A leaf at every so many particles of the twigs; 0: none."),
+    {.name = "smooth",
+     .type = KEY_INTEGER,
+     .unit = "times",
+     .min = 0,
+     .max = 100,
+     .offset = offsetof(struct bolt_look, smooth),
+     .meaning = "How often branches are evened out along themselves."},
+    {.name = NULL},
+};
+
 /* How a kind grows, in a line. */
 struct growing {
     int dimensions, particles;
@@ -340,6 +374,7 @@ void bolt_preset(struct bolt *bolt, enum bolt_kind kind, int width, int height)
     growth->extent = growing->extent * growing->side;
     growth->off_grid = growing->off_grid;
     growth->span = growing->side * (float)width / shorter;
+    growth->environment_radius = growth->span;
     growth->charges = bolt->charges;
     growth->seeds = bolt->seeds;
     struct room room = {0.5f * growth->span, 0.5f * growing->side * (float)height / shorter, growing->side};
@@ -349,4 +384,28 @@ void bolt_preset(struct bolt *bolt, enum bolt_kind kind, int width, int height)
 float bolt_scale(const struct bolt *bolt, int width)
 {
     return (float)width / bolt->growth.span;
+}
+
+static void stretch(float *at, float by)
+{
+    for (int d = 0; d < LAPLACIAN_DIMENSIONS_MAX; d++) {
+        at[d] *= by;
+    }
+}
+
+void bolt_respan(struct bolt *bolt, float span)
+{
+    struct laplacian_def *growth = &bolt->growth;
+    float by = span / growth->span;
+    growth->span = span;
+    growth->extent *= by;
+    growth->environment_radius *= by;
+    for (int i = 0; i < growth->charge_count; i++) {
+        stretch(bolt->charges[i].at, by);
+        bolt->charges[i].radius *= by;
+    }
+    for (int i = 0; i < growth->seed_count; i++) {
+        stretch(bolt->seeds[i].from, by);
+        stretch(bolt->seeds[i].to, by);
+    }
 }

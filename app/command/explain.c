@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "action.h"
+#include "bolt_order.h"
 #include "brush.h"
 #include "exhibit.h"
 #include "grow.h"
@@ -211,6 +212,9 @@ bool explain(const char *asked, FILE *out)
     explain_tables(&explaining, inputs_tables);
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", laplacian_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", bolt_look_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt.", bolt_order_keys);
     explain_names(&explaining);
     return explaining.found;
 }
