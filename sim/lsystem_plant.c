@@ -45,19 +45,20 @@ static void make_tree(struct lsystem_plant *plant, float width, float height, fl
     struct lsystem_def *growth = &plant->growth;
     growth->dimensions = 3;
     growth->steps = 34;
-    growth->length = 11 * scale;
-    growth->ratio = 0.86f;
+    growth->length = 12.5f * scale;
+    growth->ratio = 0.9f;
     growth->run = 34;
-    growth->decline = 0.62f;
+    growth->decline = 0.5f;
     growth->angle = 48;
     growth->spacing = 2;
     growth->whorl = 2;
-    growth->eta = 1.2f;
+    growth->pipe = 2.7f;
+    growth->eta = 0.8f;
     growth->tropism = 24;
     growth->upward = 2;
     growth->wobble = 6;
-    growth->environment_radius = height;
-    growth->environment_strength = 40;
+    growth->environment_radius = 0.8f * height;
+    growth->environment_strength = 150;
     shine(plant, 0.78f, -0.62f, 0);
     add(plant, LAPLACIAN_PLANE, -20 * scale, 0, 0.46f * height);
     sow(plant, -0.12f * width, 0.45f * height, 0);
@@ -101,14 +102,14 @@ static void make_bush(struct lsystem_plant *plant, float height, float scale)
     growth->run = 44;
     growth->decline = 0.7f;
     growth->angle = 38;
-    growth->orders = 4;
+    growth->orders = 3;
     growth->tropism = 18;
-    growth->eta = 0.7f;
+    growth->eta = 0.35f;
     growth->wobble = 7;
     growth->clearance = 3;
     growth->keep = 10 * scale;
     growth->shyness = 0.15f;
-    add(plant, LAPLACIAN_PLANE, -40 * scale, 0, -0.12f * height);
+    add(plant, LAPLACIAN_PLANE, -150 * scale, 0, -0.12f * height);
     add(plant, LAPLACIAN_PLANE, -6 * scale, 0, 0.46f * height);
     for (int i = -1; i <= 1; i++) {
         sow(plant, 40 * scale * (float)i, 0.45f * height, 0);
@@ -135,12 +136,12 @@ static void make_fan(struct lsystem_plant *plant, float height, float scale)
     growth->wobble = 5;
     growth->upward = 0;
     growth->tropism = 16;
-    growth->eta = 0.4f;
+    growth->eta = 0.25f;
     growth->shyness = 0.2f;
     growth->clearance = 3;
     growth->tip = 1.4f * scale;
-    add(plant, LAPLACIAN_PLANE, 400 * scale, 0, -0.8f * height);
-    add(plant, LAPLACIAN_PLANE, -20 * scale, 0, 0.46f * height);
+    add(plant, LAPLACIAN_PLANE, 3000 * scale, 0, -0.8f * height);
+    add(plant, LAPLACIAN_PLANE, -60 * scale, 0, 0.46f * height);
     sow(plant, 0, 0.45f * height, 0);
 }
 

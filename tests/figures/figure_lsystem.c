@@ -60,6 +60,10 @@ static void tube(struct canvas *canvas, const float a[3], const float b[3], floa
 static void show_around(struct canvas *canvas, const struct lsystem_def *def)
 {
     static const float STONE[3] = {0.66f, 0.64f, 0.62f}, LIGHT[3] = {1, 0.82f, 0.3f};
+    if (def->environment.values) {
+        const float sun[3] = {215, -225, 100};
+        tube(canvas, sun, sun, 14, 14, LIGHT);
+    }
     for (int i = 0; i < def->charge_count; i++) {
         const struct laplacian_charge *charge = &def->charges[i];
         const float *at = charge->at;
@@ -190,7 +194,7 @@ static void show_kinds(struct figure *figure, struct sheet *sheet, struct canvas
         lsystem_plant_preset(kind, (enum lsystem_kind)i, ROOM, ROOM);
         m[i][0] = add(sheet, canvas, rgb, kind, LABELS[i][0]);
         lsystem_plant_alone(kind);
-        kind->growth.nodes = 12000;
+        kind->growth.nodes = 40000;
         m[i][1] = add(sheet, canvas, rgb, kind, LABELS[i][1]);
     }
     figure_check(figure, m[LSYSTEM_TREE][0].x > m[LSYSTEM_TREE][1].x + 20,
