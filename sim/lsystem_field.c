@@ -110,7 +110,8 @@ bool lsystem_lay_charges(struct lsystem *lsystem, int32_t node)
     return true;
 }
 
-/* Whether a cell is part of another branch: taken, nearer to `at` than the clearance, and not as near to `from`. */
+/* Whether a cell is part of another branch: taken, nearer to `at` than the clearance, and far from `from`, where
+ * branches that fork are near each other as they must. */
 static bool is_taken(struct lsystem *lsystem, const int32_t cell[3], const float at[3], const float from[3])
 {
     const int32_t *there = laplacian_cells_find(&lsystem->cells, cell);
@@ -119,7 +120,7 @@ static bool is_taken(struct lsystem *lsystem, const int32_t cell[3], const float
     }
     const float middle[3] = {(float)cell[0], (float)cell[1], (float)cell[2]};
     float near = distance(middle, at), far = distance(middle, from);
-    return near < lsystem->def.clearance && far > lsystem->def.clearance && near < far;
+    return near < lsystem->def.clearance && far > 2 * lsystem->def.clearance;
 }
 
 bool lsystem_is_blocked(struct lsystem *lsystem, const float from[3], const float to[3])
