@@ -24,6 +24,7 @@ struct gradient_named {
     struct gradient gradient;
 };
 extern const struct gradient_named gradients[];
+extern const char *const gradient_names[]; /* of them, in their order; ends with NULL */
 
 struct pattern_plane {
     const float *v; /* width * height, row by row */
