@@ -363,10 +363,22 @@ static bool field(void *scene, enum scene_field which, int width, int height, fl
     return dish_field(scene, which, width, height, values);
 }
 
+static bool plane(void *scene, int which, int width, int height, float *values)
+{
+    return dish_plane(scene, which, width, height, values);
+}
+
+static int figures(const void *scene, struct scene_figure *all)
+{
+    return dish_figures(scene, all);
+}
+
 static uint64_t hash(const void *scene)
 {
     return dish_hash(scene);
 }
+
+static const char *const PLANES[] = {"u", "v", NULL};
 
 const struct scene_type dish_type = {
     .name = "chemistry",
@@ -383,4 +395,7 @@ const struct scene_type dish_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .planes = PLANES,
+    .plane = plane,
+    .figures = figures,
 };

@@ -104,3 +104,17 @@ bool dish_field(const struct dish *dish, enum scene_field field, int width, int 
     free(planes);
     return true;
 }
+
+bool dish_plane(const struct dish *dish, int plane, int width, int height, float *values)
+{
+    size_t cells = dish_cells(dish);
+    float *planes = malloc(2 * cells * sizeof *planes);
+    if (planes) {
+        gray_scott_save(dish->chemistry, planes, planes + cells);
+        dish_sample(planes + (size_t)plane * cells, gray_scott_width(dish->chemistry),
+                    gray_scott_height(dish->chemistry), width, height, values);
+    }
+    bool good = planes;
+    free(planes);
+    return good;
+}

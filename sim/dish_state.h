@@ -56,6 +56,9 @@ void dish_make_stops(struct dish *dish);
 bool dish_lay(struct dish *dish, int64_t tick, int width, int height, uint8_t *rgb);
 /* dish_field.c. Bilinear at the middles of other cells. */
 void dish_sample(const float *plane, int width, int height, int to_width, int to_height, float *values);
+bool dish_plane(const struct dish *dish, int plane, int width, int height, float *values);
+/* dish_figures.c */
+int dish_figures(const struct dish *dish, struct scene_figure *figures);
 bool dish_field(const struct dish *dish, enum scene_field field, int width, int height, float *values);
 
 #endif

@@ -50,7 +50,7 @@ struct dish_view dish_view(const struct dish *dish, int64_t tick)
         .clear = def->clear,
         .torus = torus_default_def()};
     view.shade.gradient = gradients[def->gradient].gradient;
-    if (def->clear) {
+    if (def->clear && !def->torus) { /* a body is not clear: the painting is behind it */
         view.shade.gradient = (struct gradient){dish->stops, dish->stop_count};
     }
     view.shade.low = def->low;
