@@ -6,6 +6,7 @@
 #include "formula.h"
 #include "garden.h"
 #include "raster.h"
+#include "script_session.h"
 #include "script_structure.h"
 
 /* What one verb's parameters need to know of each other. */
@@ -14,6 +15,7 @@ struct parameters {
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
     const struct yaml_node *structure; /* in place of the picture */
+    const struct yaml_node *session;   /* the same */
     bool bound;                        /* place and ink may come later */
 };
 
@@ -208,7 +210,9 @@ static bool read_parameter(struct reader *reader, const struct key *key, const s
         return true;
     }
     if (key->type == KEY_PICTURE) {
-        *(strcmp(key->name, "structure") == 0 ? &parameters->structure : &parameters->picture) = node;
+        *(strcmp(key->name, "structure") == 0 ? &parameters->structure
+          : strcmp(key->name, "session") == 0 ? &parameters->session
+                                              : &parameters->picture) = node;
         return true;
     }
     if (parameters->setting && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
@@ -229,24 +233,41 @@ static void missing(struct reader *reader, const struct yaml_node *node, const c
     reader_leave(reader, length);
 }
 
+/* One raster at most; whether there is any. */
+static bool check_rasters(struct reader *reader, const struct yaml_node *node, const struct parameters *parameters)
+{
+    const char *found[4];
+    int count = 0;
+    const struct {
+        const char *name;
+        const struct yaml_node *node;
+    } rasters[] = {{"formula", parameters->formula},
+                   {"picture", parameters->picture},
+                   {"structure", parameters->structure},
+                   {"session", parameters->session}};
+    for (int i = 0; i < 4; i++) {
+        if (rasters[i].node) {
+            found[count++] = rasters[i].name;
+        }
+    }
+    if (count > 1) {
+        reader_problem(reader, node, "both a %s and a %s; one of them", found[0], found[1]);
+    }
+    return count > 0;
+}
+
 /* What no single row of a table can ask for. */
 static void check_together(struct reader *reader, const struct yaml_node *node, enum action_verb verb,
                            const struct parameters *parameters)
 {
     bool at = yaml_get(node, "at"), path = yaml_get(node, "path");
-    bool raster = parameters->formula || parameters->picture || parameters->structure;
-    if (parameters->formula && (parameters->picture || parameters->structure)) {
-        reader_problem(reader, node, "both a formula and a %s; one of them",
-                       parameters->picture ? "picture" : "structure");
-    }
-    if (parameters->picture && parameters->structure) {
-        reader_problem(reader, node, "both a picture and a structure; one of them");
-    }
+    bool raster = check_rasters(reader, node, parameters);
     bool laid = verb == ACTION_BRUSH_SOLVENT || verb == ACTION_BRUSH_INK || verb == ACTION_DRAW;
     if ((verb == ACTION_GUIDE || laid) && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; a path, a formula or a picture");
     }
-    if ((verb == ACTION_MASK || verb == ACTION_DOSE || verb == ACTION_STRIKE) && !at && !path && !raster && !parameters->bound) {
+    if ((verb == ACTION_MASK || verb == ACTION_DOSE || verb == ACTION_STRIKE) && !at && !path && !raster &&
+        !parameters->bound) {
         reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
     }
     if (verb == ACTION_RINSE && !at && !path && !parameters->bound) {
@@ -270,7 +291,7 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
 
 enum { PARAMETERS_MAX = 16 };
 
-/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure. */
+/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure or a session. */
 static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX + 1])
 {
     int count = key_count(action_keys(verb));
@@ -279,6 +300,11 @@ static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX 
     if (picture && verb != ACTION_STOCK) {
         keys[count] = *picture;
         keys[count++].name = "structure";
+    }
+    if (picture) {
+        keys[count] = *picture;
+        keys[count].required = false;
+        keys[count++].name = "session";
     }
     return count;
 }
@@ -329,6 +355,11 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     if (parameters.structure) {
         size_t length = reader_enter(reader, "structure");
         script_structure_read(reader, parameters.structure, action, NULL, NULL);
+        reader_leave(reader, length);
+    }
+    if (parameters.session) {
+        size_t length = reader_enter(reader, "session");
+        script_session_read(reader, parameters.session, action);
         reader_leave(reader, length);
     }
 }
