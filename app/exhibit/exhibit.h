@@ -85,6 +85,7 @@ struct exhibit_scene {
     const char *mask;      /* a picture whose dark parts stay free; NULL: none */
     struct action *ground; /* those as actions, done on every fresh sheet; rasters owned by the script */
     int ground_count;
+    int opening; /* ground[opening..]: what comes after the inputs of other scenes */
     struct exhibit_feed feeds[EXHIBIT_FEEDS];
     int feed_count;
 };
