@@ -13,6 +13,7 @@ enum {
     TEXT_BYTES = 300, /* of one text in one language */
     EXHIBIT_PATH_BYTES = 200,
     EXHIBIT_STRUCTURES = 4, /* of a scene */
+    EXHIBIT_OPENING = 64,   /* actions of a scene */
 };
 
 /* A palette of the exhibit's own: needed while its scenes are read. */
@@ -57,9 +58,13 @@ void exhibit_read_words(struct reader *reader, const struct yaml_node *root, con
 void exhibit_read_texts(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 /* After languages and sheet. */
 void exhibit_read_scenes(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
-/* `trees` of a scene that has been read as far as its kind. */
-void exhibit_read_trees(struct reader *reader, const struct yaml_node *item, const struct exhibit *exhibit,
-                        struct exhibit_scene *scene);
+/* `trees`, `lightning`, `chemistry` of a scene that has been read as far as its kind. */
+void exhibit_read_options(struct reader *reader, const struct yaml_node *item, const struct exhibit *exhibit,
+                          struct exhibit_scene *scene);
+/* `opening` of a scene that has been read as far as its inks. */
+void exhibit_read_opening(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
+/* What a scene is called in a report: "a scene of paintings", "a scene of trees". */
+const char *exhibit_kind_of_scene(int kind);
 /* `structures` of a scene that has been read as far as its coefficients. */
 void exhibit_read_structures(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
 void exhibit_read_files(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
