@@ -56,9 +56,7 @@ static bool add(struct feeder_session *session, const struct action *action)
 static void add_options(const struct exhibit_scene *scene, struct feeder_session *session)
 {
     struct action actions[SCENE_OPTIONS_ACTIONS];
-    struct scene_options options = scene_options_default((enum scene_kind)scene->kind);
-    options.trees = scene->growth;
-    int count = scene_options_actions(&options, actions);
+    int count = scene_options_actions(&scene->options, actions);
     for (int i = 0; i < count && scene->kind != SCENE_PAINTING; i++) {
         add(session, &actions[i]);
     }

@@ -406,58 +406,77 @@ bool script_action_bound(struct reader *reader, const struct yaml_node *node, st
     return reader->report->count + reader->report->dropped == before;
 }
 
-bool script_action_read(struct reader *reader, const struct yaml_node *node, struct action *action)
+/* The keys of an action: its verb, and what stands beside it; NULL where there is none. */
+struct pairs {
+    const struct yaml_node *tick, *visitor, *verb;
+};
+
+static void note_beside(struct reader *reader, const struct yaml_node *k, const struct yaml_node **first)
 {
-    char found[128], allowed[512];
-    int before = reader->report->count + reader->report->dropped;
-    if (node->kind != YAML_MAPPING) {
-        if (node->kind != YAML_REFUSED) {
-            reader_problem(reader, node, "%s where an action should be; {tick: N, verb: {...}}",
-                           yaml_found(node, found, sizeof found));
-        }
-        return false;
+    if (*first) {
+        report_second(reader, k, k->text);
     }
-    const struct yaml_node *tick = NULL, *visitor = NULL, *verb = NULL;
-    struct beside beside = {0};
+    *first = k;
+}
+
+static struct pairs find_pairs(struct reader *reader, const struct yaml_node *node)
+{
+    struct pairs pairs = {NULL, NULL, NULL};
+    char allowed[512];
     bool any = false;
     for (const struct yaml_node *k = node->first; k && k->next; k = k->next->next) {
         bool word = k->kind == YAML_SCALAR;
         if (word && strcmp(k->text, "tick") == 0) {
-            if (tick) {
-                report_second(reader, k, "tick");
-            }
-            tick = k;
+            note_beside(reader, k, &pairs.tick);
             continue;
         }
         if (word && strcmp(k->text, "visitor") == 0) {
-            if (visitor) {
-                report_second(reader, k, "visitor");
-            }
-            visitor = k;
+            note_beside(reader, k, &pairs.visitor);
             continue;
         }
         any = true;
         if (word && action_find(k->text) == ACTION_VERBS) {
             report_verb(reader, k);
-        } else if (word && verb) {
-            report_second(reader, k, verb->text);
+        } else if (word && pairs.verb) {
+            report_second(reader, k, pairs.verb->text);
         } else if (word) {
-            verb = k;
+            pairs.verb = k;
         }
     }
     if (!any) {
         struct names names = names_of_verbs();
         reader_problem(reader, node, "no verb; %s", names_allowed(&names, "", allowed, sizeof allowed));
     }
+    return pairs;
+}
+
+static bool read_action(struct reader *reader, const struct yaml_node *node, bool timed, struct action *action)
+{
+    char found[128];
+    int before = reader->report->count + reader->report->dropped;
+    if (node->kind != YAML_MAPPING) {
+        if (node->kind != YAML_REFUSED) {
+            reader_problem(reader, node, "%s where an action should be; {%sverb: {...}}",
+                           yaml_found(node, found, sizeof found), timed ? "tick: N, " : "");
+        }
+        return false;
+    }
+    struct pairs pairs = find_pairs(reader, node);
+    const struct yaml_node *tick = pairs.tick, *visitor = pairs.visitor, *verb = pairs.verb;
+    struct beside beside = {0};
     if (verb) {
         *action = action_default(action_find(verb->text));
         size_t length = reader_enter(reader, verb->text);
         read_parameters(reader, verb->next, action, false);
         reader_leave(reader, length);
     }
-    if (tick) {
+    if (tick && !timed) {
+        size_t length = reader_enter(reader, "tick");
+        reader_problem(reader, tick, "it is done at once on a fresh sheet; an action without a tick");
+        reader_leave(reader, length);
+    } else if (tick) {
         read_beside(reader, &action_tick_keys[0], tick->next, &beside);
-    } else {
+    } else if (timed) {
         missing(reader, node, "tick", &action_tick_keys[0]);
     }
     if (visitor) {
@@ -466,4 +485,14 @@ bool script_action_read(struct reader *reader, const struct yaml_node *node, str
     action->tick = beside.tick;
     action->visitor = beside.visitor;
     return reader->report->count + reader->report->dropped == before && verb;
+}
+
+bool script_action_read(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    return read_action(reader, node, true, action);
+}
+
+bool script_action_at_once(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    return read_action(reader, node, false, action);
 }
