@@ -87,7 +87,8 @@ static bool add_stock(const struct feeder *feeder, const struct exhibit_scene *s
         struct action action = action_default(ACTION_STOCK);
         int longer = picture.width > picture.height ? picture.width : picture.height;
         int side = longer < GARDEN_STOCK_SIDE ? longer : GARDEN_STOCK_SIDE;
-        int width = (int)((int64_t)picture.width * side / longer), height = (int)((int64_t)picture.height * side / longer);
+        int width = (int)((int64_t)picture.width * side / longer),
+            height = (int)((int64_t)picture.height * side / longer);
         width = width > 0 ? width : 1;
         height = height > 0 ? height : 1;
         float *values = malloc((size_t)width * (size_t)height * sizeof *values);
