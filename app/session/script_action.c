@@ -246,7 +246,8 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
     if ((verb == ACTION_GUIDE || laid) && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; a path, a formula or a picture");
     }
-    if ((verb == ACTION_MASK || verb == ACTION_DOSE || verb == ACTION_STRIKE) && !at && !path && !raster && !parameters->bound) {
+    if ((verb == ACTION_MASK || verb == ACTION_DOSE || verb == ACTION_STRIKE) && !at && !path && !raster &&
+        !parameters->bound) {
         reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
     }
     if (verb == ACTION_RINSE && !at && !path && !parameters->bound) {
