@@ -33,8 +33,8 @@ enum {
     CONTROLS_CURSOR_US = 20000000,
     CONTROLS_SHAPE_US = 166667, /* what grows over a picture is planned anew for every value: no more than six a
                                                 second; other scenes take them as coefficients */
-    CONTROLS_HANDS = EXHIBIT_SEATS + 1 + 64, /* the visitor of ACTION_HOLD and ACTION_ATTRACT is a hand: that of a controller its own, and
-                                                from here on fingers, a number each */
+    CONTROLS_HANDS = EXHIBIT_SEATS + 1 + 64, /* the visitor of ACTION_HOLD and ACTION_ATTRACT is a hand: that of a
+                                                controller its own, and from here on fingers, a number each */
     CONTROLS_STUCK_US = 120000000, /* nobody holds still for so long: a bag on the glass, a button that jams */
 };
 

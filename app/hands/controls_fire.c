@@ -50,7 +50,8 @@ static struct point find_place(struct controls *controls)
     return (struct point){x, dice_between(&controls->chance, 0.3f, 0.9f)};
 }
 
-static void place(struct controls *controls, struct queued *queued, const struct binding *binding, const struct cause *cause)
+static void place(struct controls *controls, struct queued *queued, const struct binding *binding,
+                  const struct cause *cause)
 {
     struct action *action = &queued->action;
     const struct key *keys = action_keys(action->verb);
@@ -151,7 +152,8 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         controls_nudge(controls, index, cause);
         return;
     }
-    if (binding_holds(binding) && controls_suits(controls, binding) && cause->finger != NOBODY && cause->finger != TAPPER) {
+    if (binding_holds(binding) && controls_suits(controls, binding) && cause->finger != NOBODY &&
+        cause->finger != TAPPER) {
         controls_hold(controls, index, cause);
         return;
     }
@@ -179,8 +181,7 @@ static bool taps(const struct binding *binding, enum exhibit_tool tool)
 
 static bool drags(const struct binding *binding, enum exhibit_tool tool)
 {
-    return binding->what == DO_VERB && !binding_holds(binding) &&
-           binding_touches(binding, TOUCH_DRAG, tool);
+    return binding->what == DO_VERB && !binding_holds(binding) && binding_touches(binding, TOUCH_DRAG, tool);
 }
 
 static int fire_all(struct controls *controls, bool (*wanted)(const struct binding *binding, enum exhibit_tool tool),

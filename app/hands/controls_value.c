@@ -158,8 +158,7 @@ static void run_option(struct controls *controls, int index, uint64_t now_us)
         return;
     }
     float value = axis_value(&controls->axes[index], &binding->axis);
-    if (!controls->shapes[index] ||
-        (controls->shaped_us[index] && now_us < controls->shaped_us[index] + pause_us)) {
+    if (!controls->shapes[index] || (controls->shaped_us[index] && now_us < controls->shaped_us[index] + pause_us)) {
         return;
     }
     value = key->type == KEY_NUMBER ? value : roundf(value);

@@ -44,7 +44,8 @@ static enum scene_kind kind_of(const struct key *turns)
 
 /* One thing is set: its key of `turn`, and what is given for it; NULL, and in the report, where it is none or several.
  */
-static const struct key *find_turned(struct reader *reader, const struct yaml_node *node, const struct yaml_node **value)
+static const struct key *find_turned(struct reader *reader, const struct yaml_node *node,
+                                     const struct yaml_node **value)
 {
     const struct key *first = NULL;
     char text[160];

@@ -273,8 +273,8 @@ static int sooner(int a, int b)
 int hud_timeout_ms(const struct hud *hud, uint64_t now_us)
 {
     bool rests = hud->def.exhibit->palette.opacity < 1;
-    int least = sooner(timeout_of(hud->shown_opacity, hud->shown, hud->shown_us, 0, now_us),
-                       hud_told_timeout_ms(hud, now_us));
+    int least =
+        sooner(timeout_of(hud->shown_opacity, hud->shown, hud->shown_us, 0, now_us), hud_told_timeout_ms(hud, now_us));
     for (int i = 0; i < hud->count; i++) {
         const struct hud_panel *of = &hud->panels[i];
         float wait = of->busy ? fmaxf(hud->def.exhibit->visit.hide, HIDE) : CALM;
@@ -481,7 +481,8 @@ static bool come_down(struct hud *hud, const struct event *event, float x, float
         hud_map_pick(hud, map, x, y);
     }
     int button = map != NO_PANEL ? NO_BUTTON : button_at(hud, panel, x, y);
-    *finger = (struct hud_finger){true, event->source, event->slot, panel, button, button != NO_BUTTON, map != NO_PANEL};
+    *finger =
+        (struct hud_finger){true, event->source, event->slot, panel, button, button != NO_BUTTON, map != NO_PANEL};
     return true;
 }
 

@@ -138,7 +138,8 @@ bool hud_draw_told(const struct hud *hud, int panel, struct hud_image *image)
     double y = edge + 0.7 * pad;
     pen_draw_card(&pen, edge, edge, width - 2 * edge, height - 2 * edge, 4 * mm, edge, 0.94);
     for (int i = 0; i < hud->told_count; i++) {
-        double name = edge + pad + 0.5 * lines[i].widths[0], value = edge + pad + names + gap + 0.5 * lines[i].widths[1];
+        double name = edge + pad + 0.5 * lines[i].widths[0],
+               value = edge + pad + names + gap + 0.5 * lines[i].widths[1];
         y += 0.5 * lines[i].height;
         pen_set(&pen, pen_dark, 0.8);
         pen_write(&pen, &lines[i].words[0], mirrored ? width - name : name, y);

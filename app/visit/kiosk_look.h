@@ -9,8 +9,8 @@
 #include "hud_draw.h"
 
 enum {
-    LOOK_SLIDE, /* a picture of the gallery, over the whole sheet */
-    LOOK_PANEL, /* + seat */
+    LOOK_SLIDE,                            /* a picture of the gallery, over the whole sheet */
+    LOOK_PANEL,                            /* + seat */
     LOOK_MAP = LOOK_PANEL + EXHIBIT_SEATS, /* + seat */
     LOOK_TOLD = LOOK_MAP + EXHIBIT_SEATS,  /* + seat */
     LOOK_CURSOR = LOOK_TOLD + EXHIBIT_SEATS,

@@ -34,8 +34,7 @@ static void check_turn(const struct binding *binding)
     assert((binding->option >= 0) == (binding->scene != SCENE_PAINTING) && binding->scene < SCENE_KINDS);
     const struct key *options = scene_options_keys((enum scene_kind)binding->scene);
     assert(binding->option < key_count(options));
-    const struct key *key =
-        binding->option >= 0 ? &options[binding->option] : &coefficient_keys[binding->coefficient];
+    const struct key *key = binding->option >= 0 ? &options[binding->option] : &coefficient_keys[binding->coefficient];
     double most = key->type == KEY_FLAG ? 1 : key->max;
     for (int i = 0; key->type == KEY_CHOICE && key->choices[i]; i++) {
         most = i;
