@@ -82,7 +82,7 @@ static void add_tables(struct example *example)
         {"cursor", "inputs.bindings[].cursor"},
         {"length", "inputs.bindings[].length"},
     };
-    struct key trees[EXHIBIT_TREES_KEYS], structure[SCRIPT_STRUCTURE_KEYS];
+    struct key options[EXHIBIT_OPTIONS_KEYS], structure[SCRIPT_STRUCTURE_KEYS];
     const struct inputs_table *const files[] = {exhibit_tables, inputs_tables};
     for (int f = 0; f < 2; f++) {
         for (const struct inputs_table *one = files[f]; one->name; one++) {
@@ -94,8 +94,12 @@ static void add_tables(struct example *example)
         }
     }
     add(example, "scenes[].painting", coefficient_keys);
-    exhibit_trees_keys(trees);
-    add(example, "scenes[].trees", trees);
+    for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
+        char place[EXAMPLE_PLACE];
+        snprintf(place, sizeof place, "scenes[].%s", scene_kind_names[kind]);
+        exhibit_options_keys((enum scene_kind)kind, options);
+        add(example, place, options);
+    }
     script_structure_keys(structure);
     structure[1 + key_count(structure_keys)].name = NULL; /* options of growth stand under trees */
     add(example, "scenes[].structures[]", structure);

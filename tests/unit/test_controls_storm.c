@@ -286,7 +286,6 @@ static void in_a_storm_devices_leave_and_visits_begin(void **state)
     struct place place;
     struct storm storm;
     struct heard heard = {.events = 0};
-    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
     open_storm(&place, &storm);
     for (int ms = 0; ms < STORM_MS; ms++) {
         blow(&storm);
@@ -304,8 +303,9 @@ static void in_a_storm_devices_leave_and_visits_begin(void **state)
         if (ms % 900 == 0) {
             controls_reset(place.controls);
         }
-        if (ms % 1300 == 0) { /* from one kind of scene to the other */
-            controls_growth(place.controls, ms % 2600 ? &ink : NULL);
+        if (ms % 1300 == 0) { /* from one kind of scene to another */
+            struct scene_options options = scene_options_default((enum scene_kind)(ms / 1300 % SCENE_KINDS));
+            controls_options(place.controls, options.kind ? &options : NULL);
         }
         if (ms % 16 == 0 || ms == STORM_MS - 1) {
             hear(&place, &storm, &heard);

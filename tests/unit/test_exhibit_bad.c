@@ -223,7 +223,7 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "scenes:\n"
            "  - {id: wood, kind: tree}\n"),
-     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees\n"},
+     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees, lightning, chemistry\n"},
     {"trees of a painting",
      BYTES("exhibit: 1\n"
            "scenes:\n"
@@ -244,7 +244,7 @@ static const struct script_case BAD[] = {
      "s.yaml:2:48: scenes[0].trees.over: 'text.png' is broken; a PNG, JPEG, TIFF, EXR or WebP picture\n"
      "s.yaml:2:91: scenes[1].trees.over: no picture to grow over; a path, or pictures: FOLDER in this file's folder, "
      "with one in it\n"
-     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, endpoints: 3000, ...}; see frond explain trees\n"},
+     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, ...}; see frond explain trees\n"},
     {"how trees grow",
      BYTES("exhibit: 1\n"
            "pictures: fine\n"

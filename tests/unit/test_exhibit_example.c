@@ -204,7 +204,7 @@ static void its_trees_are_right_without_their_marks(void **state)
     report_print(&report, stderr);
     assert_non_null(exhibit);
     struct growth_def ink = growth_preset(METAPHOR_INK, false);
-    assert_memory_equal(&exhibit->scenes[0].growth, &ink, sizeof ink);
+    assert_memory_equal(&exhibit->scenes[0].options.trees, &ink, sizeof ink);
     assert_string_equal(exhibit->scenes[0].picture, "good.png");
     exhibit_destroy(exhibit);
     exhibit_case_remove();
