@@ -168,6 +168,7 @@ static void read_scene(struct reader *reader, const struct yaml_node *item, int 
         read_picture(reader, item, "mask", ACTION_MASK, scene);
         read_picture(reader, item, "guide", ACTION_GUIDE, scene);
         exhibit_read_structures(reader, item, scene);
+        exhibit_read_feeds(reader, item, scene);
         exhibit->scene_count++;
     }
     reader->script = outer;
@@ -186,4 +187,5 @@ void exhibit_read_scenes(struct reader *reader, const struct yaml_node *root, st
         exhibit->scene_count = 1;
     }
     reader->script = outer;
+    exhibit_check_feeds(reader, root, exhibit);
 }

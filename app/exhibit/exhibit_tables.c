@@ -145,6 +145,7 @@ const struct key scene_keys[] = {
          "A picture whose dark parts stay free, beside this file."),
     SECTION("structures", "A list of what `frond grow` grows over pictures, for the painting to grow along: at most "
                           "four, with the options of trees."),
+    SECTION("inputs", "A list of what comes from other scenes, at most eight: {from: SCENE, of: dark, as: mask}."),
     END,
 };
 
@@ -287,6 +288,7 @@ const struct inputs_table exhibit_tables[] = {
     {"palettes", "A palette of an exhibit's own.", palettes_keys},
     {"scenes", "A scene: inks, coefficients, and pictures that growth keeps to.", scene_keys},
     {"structures", "What grows over a picture, for a scene of ink.", scene_structure_keys},
+    {"scene_inputs", "What a scene takes from another, on every fresh sheet.", scene_feed_keys},
     {"palette", "The buttons at the edge of the sheet.", hud_keys},
     {"seats", "A visitor's place.", seat_keys},
     {"visit", "How long everything takes.", visit_keys},
