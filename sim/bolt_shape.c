@@ -65,8 +65,9 @@ static void widen(struct bolt_shape *shape, const struct bolt_look *look)
     }
 }
 
-/* Hot is the way to the node that struck, else the longest; other ways by what they carry of it. */
-static void heat(struct bolt_shape *shape, int32_t end)
+/* Of light: hot is the way to the node that struck, else the longest; other ways by what they carry. Lines are as
+ * opaque as can be, bodies as light as their colour is. */
+static void heat(struct bolt_shape *shape, int32_t end, int style)
 {
     struct bolt_node *nodes = shape->nodes;
     int32_t most = 1;
@@ -74,7 +75,7 @@ static void heat(struct bolt_shape *shape, int32_t end)
         most = nodes[i].tips > most ? nodes[i].tips : most;
     }
     for (int32_t i = 0; i < shape->count; i++) {
-        nodes[i].heat = 0.12f + 0.5f * sqrtf((float)nodes[i].tips / (float)most);
+        nodes[i].heat = style == BOLT_GLOW ? 0.12f + 0.5f * sqrtf((float)nodes[i].tips / (float)most) : 1;
     }
     for (int32_t i = end; i >= 0; i = nodes[i].parent) {
         nodes[i].heat = 1;
@@ -146,7 +147,7 @@ bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian
     shape->longest = shape->nodes[farthest].steps;
     count_tips(shape);
     widen(shape, look);
-    heat(shape, laplacian_status(laplacian) == LAPLACIAN_HIT ? count - 1 : farthest);
+    heat(shape, laplacian_status(laplacian) == LAPLACIAN_HIT ? count - 1 : farthest, look->style);
     return even_out(shape, look->smooth);
 }
 

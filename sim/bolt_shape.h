@@ -20,7 +20,7 @@ struct bolt_sight {
 struct bolt_node {
     float at[3];      /* cells of the room, from its upper left corner; z away from the viewer, 0 in its middle */
     float radius;     /* cells of the room */
-    float heat;       /* 0..1: 1 on the longest way, or on the one that has struck */
+    float heat;       /* 0..1: of light 1 on the longest way, or on the one that has struck; else 1 */
     int32_t parent;   /* an earlier node; -1 of seeds */
     int32_t heaviest; /* the child that carries most; -1 of tips */
     int32_t tips;     /* that it carries; of a tip 1 */
