@@ -220,7 +220,7 @@ static void level(const struct lsystem *lsystem, const struct laplacian_charge *
                   float length, float lift, struct lsystem_turtle *turtle)
 {
     int dimensions = lsystem->def.dimensions;
-    float normal[3], aside[3], heading[3], size = 0;
+    float normal[3], aside[3] = {0}, heading[3], size = 0;
     normal_of(charge, dimensions, from, normal);
     for (int try = 0; try < 2 && size < 1e-3f; try++) {
         const float *way = try == 0 ? turtle->heading : turtle->left;
