@@ -167,6 +167,8 @@ void lsystem_plant_preset(struct lsystem_plant *plant, enum lsystem_kind kind, i
     default:
         make_fan(plant, (float)height, scale);
     }
+    plant->growth.response /= scale;
+    plant->growth.clearance *= scale;
     plant->growth.length = plant->growth.length > 0.5f ? plant->growth.length : 0.5f;
     plant->growth.charges = plant->charges;
     plant->growth.seeds = plant->seeds;
