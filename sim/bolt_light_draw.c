@@ -3,10 +3,11 @@
 
 #include <math.h>
 
-/* At a sample: distance from the stroke's axis, radius there, how far along it. */
+/* At a sample: how far from the stroke's axis, radius there, how far along it. */
 struct place {
-    float x, y; /* from the axis */
-    float distance, radius, along;
+    float x, y;   /* from the axis */
+    float square; /* of the distance */
+    float radius, along;
 };
 
 static struct place place_of(const struct bolt_stroke *stroke, float x, float y)
@@ -18,7 +19,7 @@ static struct place place_of(const struct bolt_stroke *stroke, float x, float y)
     t = t > 0 ? t < 1 ? t : 1 : 0;
     place.x = x - t * stroke->along[0];
     place.y = y - t * stroke->along[1];
-    place.distance = sqrtf(place.x * place.x + place.y * place.y);
+    place.square = place.x * place.x + place.y * place.y;
     place.radius = stroke->radius[0] + t * (stroke->radius[1] - stroke->radius[0]);
     if (stroke->leaf) { /* broadest at two fifths */
         float bend = t * (1.4f - 0.4f * t);
@@ -50,9 +51,12 @@ static float cover(float distance, float radius)
     return clamped(wide + 0.5f - distance) * clamped(2 * radius);
 }
 
+/* Brightest on the axis. */
 static void draw_light(const struct bolt_stroke *stroke, struct bolt_sample *sample, const struct place *place)
 {
-    float light = stroke->strength * cover(place->distance, place->radius);
+    float distance = sqrtf(place->square), wide = place->radius > 1 ? place->radius : 1;
+    float share = distance / wide,
+          light = stroke->strength * cover(distance, place->radius) * (1 - 0.6f * share * share);
     if (light > 0) {
         most(&sample->part[0], byte(sqrtf(light)));
         most(&sample->part[1], byte(light));
@@ -61,31 +65,27 @@ static void draw_light(const struct bolt_stroke *stroke, struct bolt_sample *sam
 
 static void draw_line(const struct bolt_stroke *stroke, struct bolt_sample *sample, const struct place *place)
 {
-    float own = stroke->strength * cover(place->distance, place->radius);
+    float distance = sqrtf(place->square), own = stroke->strength * cover(distance, place->radius);
     if (own > 0) {
-        float wide = stroke->leaf ? 1 : clamped(place->radius - 1);
-        float core = stroke->leaf ? own : stroke->strength * wide * cover(place->distance, 0.6f * place->radius);
+        float wide = clamped((place->radius - 1) / 3),
+              share = wide > 0 ? clamped(1.7f - 1.9f * distance / place->radius) : 0;
         most(&sample->part[0], byte(own));
-        most(&sample->part[1], byte(core));
+        most(&sample->part[1], byte(stroke->leaf ? own : own * wide * share));
     }
 }
 
 static void draw_body(const struct bolt_samples *samples, const struct bolt_stroke *stroke, size_t index,
                       const struct place *place)
 {
-    if (!(place->distance < place->radius)) {
-        return;
-    }
     float depth = stroke->depth[0] + place->along * (stroke->depth[1] - stroke->depth[0]), normal[2];
     if (stroke->leaf) {
-        float bent = place->distance / place->radius * 0.3f; /* it is a little hollow */
+        float bent = sqrtf(place->square) / place->radius * 0.3f; /* it is a little hollow */
         float face = stroke->normal[2] < -0.2f ? stroke->normal[2] : -0.2f;
         depth -= (stroke->normal[0] * place->x + stroke->normal[1] * place->y) / face * stroke->thick;
         normal[0] = stroke->normal[0] * (1 - bent);
         normal[1] = stroke->normal[1] * (1 - bent);
     } else {
-        float square = place->radius * place->radius - place->distance * place->distance;
-        depth -= sqrtf(square) * stroke->thick;
+        depth -= sqrtf(place->radius * place->radius - place->square) * stroke->thick;
         normal[0] = place->x / place->radius;
         normal[1] = place->y / place->radius;
     }
@@ -99,6 +99,26 @@ static void draw_body(const struct bolt_samples *samples, const struct bolt_stro
     samples->samples[index].part[1] = byte((normal[1] + 1) * 127 / 255);
     samples->samples[index].part[2] = byte(stroke->tone);
     samples->samples[index].part[3] = (uint8_t)((stroke->leaf ? 128 : 1) + (int)(light + 0.5f));
+}
+
+static void draw_span(const struct bolt_samples *samples, const struct bolt_stroke *stroke, int y, const int columns[2])
+{
+    float soft = samples->style == BOLT_BODY ? 0 : 0.5f;
+    for (int x = columns[0]; x < columns[1]; x++) {
+        struct place place = place_of(stroke, (float)x + 0.5f, (float)y + 0.5f);
+        float reach = (samples->style == BOLT_BODY || place.radius > 0.5f ? place.radius : 0.5f) + soft;
+        size_t index = (size_t)y * (size_t)samples->width + (size_t)x;
+        if (!(place.square < reach * reach)) {
+            continue;
+        }
+        if (samples->style == BOLT_BODY) {
+            draw_body(samples, stroke, index, &place);
+        } else if (samples->style == BOLT_LINE) {
+            draw_line(stroke, &samples->samples[index], &place);
+        } else {
+            draw_light(stroke, &samples->samples[index], &place);
+        }
+    }
 }
 
 /* Whole samples from `low` to `high`, of those that there are. */
@@ -128,16 +148,6 @@ void bolt_draw(const struct bolt_samples *samples, const struct bolt_stroke *str
             high = fminf(high, axis + half);
         }
         within(low, high, samples->width, columns);
-        for (int x = columns[0]; x < columns[1]; x++) {
-            struct place place = place_of(stroke, (float)x + 0.5f, middle);
-            size_t index = (size_t)y * (size_t)samples->width + (size_t)x;
-            if (samples->style == BOLT_BODY) {
-                draw_body(samples, stroke, index, &place);
-            } else if (samples->style == BOLT_LINE) {
-                draw_line(stroke, &samples->samples[index], &place);
-            } else {
-                draw_light(stroke, &samples->samples[index], &place);
-            }
-        }
+        draw_span(samples, stroke, y, columns);
     }
 }

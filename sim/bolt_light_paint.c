@@ -46,11 +46,11 @@ void bolt_paint_light(const struct bolt_paint *paint, int y, uint8_t *rgb)
     const struct bolt_sample *row = paint->samples->samples + (size_t)y * (size_t)paint->width;
     float flash = flash_of(view);
     for (int x = 0; x < paint->width; x++) {
-        float halo, root = (float)row[x].part[0] / 255, light = root * root, hot = clamp(1.5f * light, 0, 1);
+        float halo, root = (float)row[x].part[0] / 255, light = root * root, hot = clamp(1.6f * light - 0.2f, 0, 1);
         bolt_chain_at(paint->chain, (float)x + 0.5f, (float)y + 0.5f, &halo, NULL);
         for (int c = 0; c < 3; c++) {
             float tint = look->colour[c] + hot * (look->core[c] - look->colour[c]);
-            float sum = 5 * light * tint + halo * (4.5f * look->colour[c] + 3.5f * halo * look->core[c]);
+            float sum = 5 * light * tint + halo * (11 * look->colour[c] + 8 * halo * look->core[c]);
             float own = shoulder(sum);
             float ground = view->clear ? 0 : clamp(look->ground[c], 0, 1);
             float over = encode(paint, 1 - (1 - ground) * (1 - own));
@@ -91,7 +91,7 @@ static void shade(const struct bolt_view *view, struct bolt_sample sample, float
     float facing = x * KEY[0] + y * KEY[1] + z * KEY[2];
     float shine = fmaxf(x * HALF[0] + y * HALF[1] + z * HALF[2], 0);
     shine *= shine, shine *= shine, shine *= shine, shine *= shine;
-    float open = 1 / (1 + 60 * fmaxf(behind, 0));
+    float open = 1 / (1 + 100 * fmaxf(behind, 0));
     open *= open;
     float key = fmaxf(0.88f * facing + 0.12f, leaf ? 0.3f : 0) * (0.25f + 0.75f * open);
     float sky = (0.16f - 0.12f * y) * open, edge = (1 + z) * (1 + z) * 0.22f * open;

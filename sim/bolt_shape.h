@@ -48,6 +48,8 @@ bool bolt_shape_begins(const struct bolt_shape *shape, int32_t node);
 float bolt_shape_root(const struct bolt_shape *shape, int32_t node);
 /* Radius of the leaf at a node; 0: none. */
 float bolt_shape_leaf(const struct bolt_shape *shape, int32_t node, const struct bolt_look *look);
+/* Seeds hang together where they touch: the nearest earlier one, at most a diagonal away; -1: none. */
+int32_t bolt_shape_seed_before(const struct laplacian *laplacian, int32_t i);
 
 /* A segment to each node but seeds, in the order in which they grew, born `pace` nodes a tick; with leaves as the look
  * says. Owned by the caller; NULL when memory is short, or with no segments. */

@@ -31,7 +31,7 @@ static const struct kind KINDS[LIGHT_CASES] = {
          .jitter = 0.7f,
          .strikes = true,
          .smooth = 1,
-         .look = {BOLT_GLOW, 1.0f, 0.16f, 2.2f, {0.36f, 0.38f, 1}, {1, 0.97f, 1}, {0.004f, 0.003f, 0.012f}}},
+         .look = {BOLT_GLOW, 1.1f, 0.11f, 2.2f, {0.36f, 0.38f, 1}, {1, 0.97f, 1}, {0.004f, 0.003f, 0.012f}}},
     [LIGHT_TESLA] =
         {.dimensions = 2,
          .particles = 4000,
@@ -44,7 +44,7 @@ static const struct kind KINDS[LIGHT_CASES] = {
                     .eta = 1.6f,
                     .jitter = 0.7f,
                     .strikes = true,
-                    .look = {BOLT_GLOW, 2.4f, 0.22f, 2.4f, {0.25f, 0.5f, 1}, {0.95f, 1, 1}, {0.001f, 0.003f, 0.008f}}},
+                    .look = {BOLT_GLOW, 1.3f, 0.2f, 3, {0.25f, 0.5f, 1}, {0.95f, 1, 1}, {0.001f, 0.003f, 0.008f}}},
     [LIGHT_RIVER] =
         {.dimensions = 2,
          .particles = 9000,
@@ -85,7 +85,7 @@ static const struct kind KINDS[LIGHT_CASES] = {
          .charge = {LAPLACIAN_PLANE, -3000, {0, 4}, {0, 1}, 0, NULL, 0, false},
          .jitter = 0.7f,
          .smooth = 2,
-         .look = {BOLT_BODY, 3.2f, 0.8f, 3, {0.62f, 0.09f, 0.06f}, {0.98f, 0.62f, 0.42f}, {0.02f, 0.07f, 0.1f}},
+         .look = {BOLT_BODY, 2.2f, 0.5f, 3, {0.62f, 0.09f, 0.06f}, {0.98f, 0.62f, 0.42f}, {0.02f, 0.07f, 0.1f}},
          .tilt = 0.04f},
     [LIGHT_TREE] =
         {.dimensions = 3,
@@ -241,7 +241,7 @@ static void fill(const struct kind *kind, const struct grown *grown, float scale
         to->radius_from =
             scale * fminf(radius_of(look, grown->carried[parent]), radius_of(look, grown->carried[i]) * 1.5f);
         if (kind->strikes) {
-            to->heat = fminf(1, 0.1f + 0.75f * powf((float)grown->carried[i] / (float)grown->count, 0.35f));
+            to->heat = fminf(1, 0.05f + 0.75f * powf((float)grown->carried[i] / (float)grown->count, 0.45f));
         }
         if (channel && channel[i]) {
             to->heat = 1;
