@@ -110,8 +110,7 @@ static bool even_out(struct bolt_shape *shape, int times)
     return good;
 }
 
-/* Seeds hang together where they touch: the nearest earlier one, at most a diagonal away; -1: none. */
-static int32_t seed_before(const struct laplacian *laplacian, int32_t i)
+int32_t bolt_shape_seed_before(const struct laplacian *laplacian, int32_t i)
 {
     enum { LOOKED_AT = 4096 };
     struct laplacian_node here = laplacian_node(laplacian, i);
@@ -144,7 +143,7 @@ bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian
         struct laplacian_node from = laplacian_node(laplacian, i);
         struct bolt_node *node = &shape->nodes[i];
         place(node, &from, sight);
-        node->parent = from.parent >= 0 ? from.parent : seed_before(laplacian, i);
+        node->parent = from.parent >= 0 ? from.parent : bolt_shape_seed_before(laplacian, i);
         node->heaviest = -1;
         node->steps = node->parent >= 0 ? shape->nodes[node->parent].steps + 1 : 0;
         farthest = node->steps > shape->nodes[farthest].steps ? i : farthest;

@@ -41,6 +41,9 @@ bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian
                      const struct bolt_sight *sight);
 void bolt_shape_finish(struct bolt_shape *shape); /* takes zeroed */
 
+/* Seeds hang together where they touch: the nearest earlier one, at most a diagonal away; -1: none. */
+int32_t bolt_shape_seed_before(const struct laplacian *laplacian, int32_t i);
+
 /* A segment to each node but seeds, in the order in which they grew, born `pace` nodes a tick; with leaves as the look
  * says. Owned by the caller; NULL when memory is short, or with no segments. */
 struct bolt_segment *bolt_shape_segments(const struct bolt_shape *shape, const struct bolt_look *look, float pace,
