@@ -1,8 +1,10 @@
 /* Samples halved again and again, and summed. */
 #include "bolt_light_work.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
+
+#include "exponential.h"
 
 enum { LEAST = 12 }; /* samples of a shorter side that are halved */
 
@@ -16,9 +18,10 @@ int bolt_levels(int width, int height)
 
 float bolt_share(int style, int level, int width, int height)
 {
-    (void)width, (void)height;
-    if (style == BOLT_BODY) {
-        return level >= 2 && level <= 5 ? 0.25f : 0;
+    if (style == BOLT_BODY) { /* levels about a 64th of the picture */
+        float shorter = (float)(width < height ? width : height);
+        float off = fabsf((float)level + 6 - logarithm2(shorter));
+        return off < 2.5f ? 0.4f * (1 - 0.4f * off) : 0;
     }
     return 0.1f;
 }

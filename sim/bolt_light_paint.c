@@ -50,7 +50,7 @@ void bolt_paint_light(const struct bolt_paint *paint, int y, uint8_t *rgb)
         bolt_chain_at(paint->chain, (float)x + 0.5f, (float)y + 0.5f, &halo, NULL);
         for (int c = 0; c < 3; c++) {
             float tint = look->colour[c] + hot * (look->core[c] - look->colour[c]);
-            float sum = 5 * light * tint + halo * (7 * look->colour[c] + 5 * halo * look->core[c]);
+            float sum = 5 * light * tint + halo * (11 * look->colour[c] + 8 * halo * look->core[c]);
             float own = shoulder(sum);
             float ground = view->clear ? 0 : clamp(look->ground[c], 0, 1);
             float over = encode(paint, 1 - (1 - ground) * (1 - own));

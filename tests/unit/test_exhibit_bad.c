@@ -17,7 +17,8 @@
     "exhibit, title, display, sheet, engine, languages, texts, palettes, scenes, pictures, sessions, palette, seats, " \
     "inputs, visit, access, schedule, wake, gallery, staff, mqtt"
 #define TEXT_KEYS                                                                                                      \
-    "invite, inks, drop, brush, guide, pour, mask, rewind, plant, tend, thin, picture, "                               \
+    "invite, inks, drop, brush, guide, pour, mask, rewind, plant, tend, thin, strike, "                                \
+    "repel, stroke, dose, erase, map, picture, "                                                                       \
     "metaphor, undo, redo, finish, hand, seated, language, countdown, "                                                \
     "stay, thanks, closed"
 #define TREES_KEYS                                                                                                     \
@@ -223,7 +224,8 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "scenes:\n"
            "  - {id: wood, kind: tree}\n"),
-     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees\n"},
+     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees, lightning, "
+     "chemistry\n"},
     {"trees of a painting",
      BYTES("exhibit: 1\n"
            "scenes:\n"
@@ -244,7 +246,7 @@ static const struct script_case BAD[] = {
      "s.yaml:2:48: scenes[0].trees.over: 'text.png' is broken; a PNG, JPEG, TIFF, EXR or WebP picture\n"
      "s.yaml:2:91: scenes[1].trees.over: no picture to grow over; a path, or pictures: FOLDER in this file's folder, "
      "with one in it\n"
-     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, endpoints: 3000, ...}; see frond explain trees\n"},
+     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, ...}; see frond explain trees\n"},
     {"how trees grow",
      BYTES("exhibit: 1\n"
            "pictures: fine\n"
@@ -339,7 +341,7 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "palette: {tools: [brush, rewnd]}\n"),
      "s.yaml:2:26: palette.tools[1]: unknown tool 'rewnd'; did you mean rewind? One of drop, brush, guide, pour, mask, "
-     "rewind, plant, tend, thin\n"},
+     "rewind, plant, tend, thin, strike, repel, stroke, dose, erase, map\n"},
     {"small buttons",
      BYTES("exhibit: 1\n"
            "palette: {target: 10}\n"),
