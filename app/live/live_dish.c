@@ -1,6 +1,5 @@
 #include "live_dish.h"
 
-
 #include "bench.h"
 
 static void finish(struct live_drawer *drawer)

@@ -57,7 +57,7 @@ static void look_at_storm(struct live_scene *live, struct live_view *view, struc
     for (int i = 0; i < LIVE_VIEWS; i++) {
         live->stores[i].stale = since < live->stores[i].stale ? since : live->stores[i].stale;
     }
-    view->any = copy_segments(store, &view->bolts) && (view->bolts.count > 0 || !view->bolts.clear);
+    view->any = copy_segments(store, &view->bolts);
     view->calm = storm_is_calm(storm, live->last_tick);
     view->since = since;
     view->bolts.segments = store->segments;

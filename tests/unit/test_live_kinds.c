@@ -341,9 +341,12 @@ static void a_session_has_the_kind_of_its_verbs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lightning_is_as_a_plot_has_it), cmocka_unit_test(chemistry_is_as_a_plot_has_it),
-        cmocka_unit_test(the_studio_waits),              cmocka_unit_test(it_catches_up_with_the_journal),
-        cmocka_unit_test(kinds_come_and_go),             cmocka_unit_test(what_is_calm_costs_nothing),
+        cmocka_unit_test(lightning_is_as_a_plot_has_it),
+        cmocka_unit_test(chemistry_is_as_a_plot_has_it),
+        cmocka_unit_test(the_studio_waits),
+        cmocka_unit_test(it_catches_up_with_the_journal),
+        cmocka_unit_test(kinds_come_and_go),
+        cmocka_unit_test(what_is_calm_costs_nothing),
         cmocka_unit_test(a_session_has_the_kind_of_its_verbs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
