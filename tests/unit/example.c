@@ -280,7 +280,6 @@ static bool is_option(const struct example_row *row)
 
 static void write_option(FILE *file, const struct key *key, int column)
 {
-    fputc('\n', file);
     write_comment(file, key, column);
     if (key->type == KEY_FLAG) {
         fprintf(file, "%*s#%s: %s\n", column, "", key->name, key->initial != 0 ? "true" : "false");
@@ -294,6 +293,7 @@ static void write_option(FILE *file, const struct key *key, int column)
 /* Options that stand nowhere yet, where the last of their place stands, or its section. */
 static void write_missing(FILE *file, const struct example *example, int line)
 {
+    const char *gap = example->kinds[line].value && *example->kinds[line].value ? "\n" : "";
     for (int i = 0; i < example->row_count; i++) {
         const struct example_row *row = &example->rows[i];
         int last = -1, column = 6;
@@ -308,6 +308,8 @@ static void write_missing(FILE *file, const struct example *example, int line)
             }
         }
         if (last == line) {
+            fputs(gap, file);
+            gap = "\n";
             write_option(file, &row->key, column);
         }
     }
