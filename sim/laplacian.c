@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "laplacian_boundary.h"
 #include "laplacian_state.h"
 
 static const float OFF_GRID_SPACING = 0.7f;
@@ -33,23 +34,6 @@ static bool are_finite(const float *values, int count)
     return true;
 }
 
-static bool is_good_charge(const struct laplacian_charge *charge, int dimensions)
-{
-    float length = 0;
-    for (int d = 0; d < dimensions; d++) {
-        length += charge->along[d] * charge->along[d];
-    }
-    if ((int)charge->shape < 0 || charge->shape >= LAPLACIAN_SHAPES || !isfinite(charge->charge) ||
-        !isfinite(charge->radius)) {
-        return false;
-    }
-    if (charge->shape == LAPLACIAN_STROKE) {
-        return dimensions <= 3 && charge->path && charge->path_count > 0 &&
-               are_finite(charge->path, charge->path_count * dimensions);
-    }
-    return are_finite(charge->at, dimensions) && (charge->shape == LAPLACIAN_POINT || (isfinite(length) && length > 0));
-}
-
 static bool is_good_raster(const struct action_raster *raster)
 {
     return !raster->values || (raster->width > 0 && raster->height > 0);
@@ -75,7 +59,7 @@ static bool is_good(const struct laplacian_def *def)
         return false;
     }
     for (int i = 0; i < def->charge_count; i++) {
-        if (!is_good_charge(&def->charges[i], def->dimensions)) {
+        if (!laplacian_charge_is_good(&def->charges[i], def->dimensions)) {
             return false;
         }
     }
@@ -351,7 +335,7 @@ bool laplacian_charge(struct laplacian *laplacian, const struct laplacian_charge
 {
     struct laplacian_charge *copy = malloc(((size_t)count + 1) * sizeof *copy);
     for (int i = 0; i < count && copy; i++) {
-        if (!is_good_charge(&charges[i], laplacian->def.dimensions)) {
+        if (!laplacian_charge_is_good(&charges[i], laplacian->def.dimensions)) {
             free(copy);
             return false;
         }

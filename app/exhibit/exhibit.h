@@ -19,6 +19,7 @@
 #include <stddef.h>
 
 #include "engine_choice.h"
+#include "graph.h"
 #include "inputs.h"
 #include "report.h"
 #include "scene.h"
@@ -35,6 +36,7 @@ enum {
     EXHIBIT_SEATS = 8,
     EXHIBIT_HOURS = 28, /* entries of the schedule */
     EXHIBIT_TAPS = 8,   /* of the staff's chain */
+    EXHIBIT_FEEDS = 8,  /* inputs of a scene */
 };
 
 struct exhibit_display {
@@ -54,6 +56,21 @@ struct exhibit_sheet {
     int rate; /* ticks a second */
 };
 
+/* What a scene takes from another, on every fresh sheet: one of its `inputs`. */
+struct exhibit_feed {
+    const char *id;  /* of the other scene */
+    int from;        /* the other scene's place in scenes[] */
+    int of;          /* enum scene_field */
+    int as;          /* enum graph_port */
+    int reading;     /* enum graph_reading */
+    int coefficient; /* of PORT_COEFFICIENT: in coefficient_keys[] */
+    float value, to; /* of PORT_COEFFICIENT: its value where the other scene has grown, and where it has not */
+    int ink;         /* of PORT_INK and PORT_BACKGROUND: of the scene's; -1: the first, the last */
+    float strength;  /* 0..1: of a field, of a drawing, of relief */
+    int tick;        /* how far the other scene grows by itself, when nobody has just made it here */
+    bool invert;     /* dark is light, and forward is back */
+};
+
 /* A scene is what is painted: inks, coefficients, a ground from a picture. `script` is a session without actions, for
  * the studio and the picture; its canvas is sheet.cells at 16:10 until script_fit gives it the shape of the screen. */
 struct exhibit_scene {
@@ -70,6 +87,8 @@ struct exhibit_scene {
     struct action *ground; /* those as actions, then the opening, done on every fresh sheet; rasters and paths owned by
                               the script */
     int ground_count;
+    struct exhibit_feed feeds[EXHIBIT_FEEDS];
+    int feed_count;
 };
 
 enum exhibit_tool { /* what a finger on the sheet does; the order on the palette */
@@ -219,6 +238,9 @@ bool exhibit_is(const char *text, size_t size);
  * scene_options_keys that are one value. Written to `keys`, the last one without a name. None of a painting. */
 enum { EXHIBIT_OPTIONS_KEYS = 64 };
 void exhibit_options_keys(enum scene_kind kind, struct key keys[EXHIBIT_OPTIONS_KEYS]);
+
+/* Its scenes and their inputs. Nodes are numbered as scenes are. */
+struct graph exhibit_graph(const struct exhibit *exhibit);
 
 /* The names of the pictures in the folder `pictures` now, sorted, EXHIBIT_PICTURES of them at most; their paths are
  * relative to exhibit->folder. None when it has no such folder, or it cannot be read. */

@@ -28,6 +28,7 @@ extern const struct key sheet_keys[];           /* over struct exhibit_sheet */
 extern const struct key palettes_keys[];        /* over struct exhibit_inks */
 extern const struct key scene_keys[];           /* over struct exhibit_scene; `mode` over struct script */
 extern const struct key scene_structure_keys[]; /* beside those of a script's structure, over what is theirs alone */
+extern const struct key scene_feed_keys[];      /* over struct exhibit_feed */
 extern const struct key hud_keys[];             /* over struct exhibit_palette */
 extern const struct key seat_keys[];            /* over struct exhibit_seat */
 extern const struct key visit_keys[];           /* over struct exhibit_visit */
@@ -67,6 +68,10 @@ void exhibit_read_opening(struct reader *reader, const struct yaml_node *item, s
 const char *exhibit_kind_of_scene(int kind);
 /* `structures` of a scene that has been read as far as its coefficients. */
 void exhibit_read_structures(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
+/* `inputs` of a scene, that has been read as far as its inks: all but which scenes they are from. */
+void exhibit_read_feeds(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
+/* After the scenes: what feeds what, its types, and that nothing feeds itself. */
+void exhibit_check_feeds(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 void exhibit_read_files(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 /* A picture can be read; if not, that is reported. */
 void exhibit_check_picture(struct reader *reader, const struct yaml_node *at, const char *path);

@@ -169,6 +169,7 @@ static void read_scene(struct reader *reader, const struct yaml_node *item, int 
         read_picture(reader, item, "guide", ACTION_GUIDE, scene);
         exhibit_read_structures(reader, item, scene);
         exhibit_read_opening(reader, item, scene);
+        exhibit_read_feeds(reader, item, scene);
         exhibit->scene_count++;
     }
     reader->script = outer;
@@ -187,4 +188,5 @@ void exhibit_read_scenes(struct reader *reader, const struct yaml_node *root, st
         exhibit->scene_count = 1;
     }
     reader->script = outer;
+    exhibit_check_feeds(reader, root, exhibit);
 }

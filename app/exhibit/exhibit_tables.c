@@ -156,6 +156,7 @@ const struct key scene_keys[] = {
                           "four, with the options of trees."),
     SECTION("opening", "A list of what is done on every fresh sheet of the scene, at most 64 actions as in scripts, "
                        "without their ticks."),
+    SECTION("inputs", "A list of what comes from other scenes, at most eight: {from: SCENE, of: dark, as: mask}."),
     END,
 };
 
@@ -305,6 +306,7 @@ const struct inputs_table exhibit_tables[] = {
     {"palettes", "A palette of an exhibit's own.", palettes_keys},
     {"scenes", "A scene: inks, coefficients, and pictures that growth keeps to.", scene_keys},
     {"structures", "What grows over a picture, for a scene of ink.", scene_structure_keys},
+    {"scene_inputs", "What a scene takes from another, on every fresh sheet.", scene_feed_keys},
     {"palette", "The buttons at the edge of the sheet.", hud_keys},
     {"seats", "A visitor's place.", seat_keys},
     {"visit", "How long everything takes.", visit_keys},
