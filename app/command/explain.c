@@ -10,6 +10,7 @@
 #include "inputs.h"
 #include "script.h"
 #include "script_structure.h"
+#include "script_text.h"
 #include "script_value.h"
 #include "vision.h"
 
@@ -212,6 +213,7 @@ bool explain(const char *asked, FILE *out)
     struct key structure[SCRIPT_STRUCTURE_KEYS];
     script_structure_keys(structure);
     explain_keys(&explaining, "structure", "What grows over a picture, wherever a verb takes a picture.", structure);
+    explain_keys(&explaining, "text", "Words in place of a picture, of dose, style and strike.", script_text_keys);
     explain_tables(&explaining, exhibit_tables);
     for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
         exhibit_options_keys((enum scene_kind)kind, options);

@@ -7,13 +7,15 @@
 #include "garden.h"
 #include "raster.h"
 #include "script_structure.h"
+#include "script_text.h"
 
 /* What one verb's parameters need to know of each other. */
 struct parameters {
     const struct key *setting;       /* what `set`, `shape`, ... sets; NULL for other verbs, or where it is wrong */
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
-    const struct yaml_node *structure; /* in place of the picture */
+    const struct yaml_node *structure; /* in place of the picture, */
+    const struct yaml_node *text;      /* or words */
     bool bound;                        /* place and ink may come later */
 };
 
@@ -208,7 +210,9 @@ static bool read_parameter(struct reader *reader, const struct key *key, const s
         return true;
     }
     if (key->type == KEY_PICTURE) {
-        *(strcmp(key->name, "structure") == 0 ? &parameters->structure : &parameters->picture) = node;
+        *(strcmp(key->name, "structure") == 0 ? &parameters->structure
+          : strcmp(key->name, "text") == 0    ? &parameters->text
+                                              : &parameters->picture) = node;
         return true;
     }
     if (parameters->setting && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
@@ -234,10 +238,16 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
                            const struct parameters *parameters)
 {
     bool at = yaml_get(node, "at"), path = yaml_get(node, "path");
-    bool raster = parameters->formula || parameters->picture || parameters->structure;
+    bool raster = parameters->formula || parameters->picture || parameters->structure || parameters->text;
     if (parameters->formula && (parameters->picture || parameters->structure)) {
         reader_problem(reader, node, "both a formula and a %s; one of them",
                        parameters->picture ? "picture" : "structure");
+    }
+    if (parameters->text && (parameters->formula || parameters->picture || parameters->structure)) {
+        reader_problem(reader, node, "both a text and a %s; one of them",
+                       parameters->formula   ? "formula"
+                       : parameters->picture ? "picture"
+                                             : "structure");
     }
     if (parameters->picture && parameters->structure) {
         reader_problem(reader, node, "both a picture and a structure; one of them");
@@ -271,7 +281,7 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
 
 enum { PARAMETERS_MAX = 16 };
 
-/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure. */
+/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure, or words. */
 static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX + 1])
 {
     int count = key_count(action_keys(verb));
@@ -280,6 +290,10 @@ static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX 
     if (picture && verb != ACTION_STOCK) {
         keys[count] = *picture;
         keys[count++].name = "structure";
+    }
+    if (picture && script_text_is_for(verb)) {
+        keys[count] = *picture;
+        keys[count++].name = "text";
     }
     return count;
 }
@@ -330,6 +344,11 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     if (parameters.structure) {
         size_t length = reader_enter(reader, "structure");
         script_structure_read(reader, parameters.structure, action, NULL, NULL);
+        reader_leave(reader, length);
+    }
+    if (parameters.text) {
+        size_t length = reader_enter(reader, "text");
+        script_text_read(reader, parameters.text, action);
         reader_leave(reader, length);
     }
 }
