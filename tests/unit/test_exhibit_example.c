@@ -137,6 +137,7 @@ static bool is_only_an_example(const struct example_row *row)
 {
     static const char *const NAMES[][2] = {{"scenes[]", "inks"},
                                            {"scenes[]", "structures"},
+                                           {"scenes[]", "inputs"},
                                            {"", "sessions"},
                                            {"inputs.controllers[].lamps[]", "usage"},
                                            {"inputs.bindings[].rinse", "at"}};
