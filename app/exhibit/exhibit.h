@@ -87,6 +87,7 @@ struct exhibit_scene {
     struct action *ground; /* those as actions, then the opening, done on every fresh sheet; rasters and paths owned by
                               the script */
     int ground_count;
+    int opening; /* ground[opening..]: what comes after the inputs of other scenes */
     struct exhibit_feed feeds[EXHIBIT_FEEDS];
     int feed_count;
 };

@@ -118,7 +118,7 @@ void exhibit_read_options(struct reader *reader, const struct yaml_node *item, c
     size_t length = reader_enter(reader, scene_kind_names[SCENE_TREES]);
     if (scene->picture) {
         check_picture(reader, trees, scene);
-    } else if (scene->kind == SCENE_TREES && exhibit_is_bare(exhibit)) {
+    } else if (scene->kind == SCENE_TREES && !exhibit_is_fed(item, PORT_PICTURE) && exhibit_is_bare(exhibit)) {
         exhibit_problem(reader, "over", trees ? trees : item,
                         "no picture to grow over; a path, or pictures: FOLDER in this file's folder, with one in it");
     }

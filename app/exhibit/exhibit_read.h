@@ -70,6 +70,8 @@ const char *exhibit_kind_of_scene(int kind);
 void exhibit_read_structures(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
 /* `inputs` of a scene, that has been read as far as its inks: all but which scenes they are from. */
 void exhibit_read_feeds(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
+/* Whether a scene, of which nothing may have been read, has an input of this port. */
+bool exhibit_is_fed(const struct yaml_node *item, enum graph_port port);
 /* After the scenes: what feeds what, its types, and that nothing feeds itself. */
 void exhibit_check_feeds(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 void exhibit_read_files(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);

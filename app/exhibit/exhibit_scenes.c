@@ -168,8 +168,9 @@ static void read_scene(struct reader *reader, const struct yaml_node *item, int 
         read_picture(reader, item, "mask", ACTION_MASK, scene);
         read_picture(reader, item, "guide", ACTION_GUIDE, scene);
         exhibit_read_structures(reader, item, scene);
-        exhibit_read_opening(reader, item, scene);
+        scene->opening = scene->ground_count;
         exhibit_read_feeds(reader, item, scene);
+        exhibit_read_opening(reader, item, scene);
         exhibit->scene_count++;
     }
     reader->script = outer;

@@ -154,9 +154,9 @@ const struct key scene_keys[] = {
          "A picture whose dark parts stay free, beside this file."),
     SECTION("structures", "A list of what `frond grow` grows over pictures, for the painting to grow along: at most "
                           "four, with the options of trees."),
+    SECTION("inputs", "A list of what comes from other scenes, at most eight: {from: SCENE, of: dark, as: mask}."),
     SECTION("opening", "A list of what is done on every fresh sheet of the scene, at most 64 actions as in scripts, "
                        "without their ticks."),
-    SECTION("inputs", "A list of what comes from other scenes, at most eight: {from: SCENE, of: dark, as: mask}."),
     END,
 };
 
