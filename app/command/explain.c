@@ -11,6 +11,7 @@
 #include "script.h"
 #include "script_session.h"
 #include "script_structure.h"
+#include "script_text.h"
 #include "script_value.h"
 #include "vision.h"
 
@@ -215,6 +216,7 @@ bool explain(const char *asked, FILE *out)
     explain_keys(&explaining, "structure", "What grows over a picture, wherever a verb takes a picture.", structure);
     explain_keys(&explaining, "session", "What another session comes to, wherever a verb takes a picture.",
                  script_session_keys);
+    explain_keys(&explaining, "text", "Words in place of a picture, of dose, style and strike.", script_text_keys);
     explain_tables(&explaining, exhibit_tables);
     for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
         exhibit_options_keys((enum scene_kind)kind, options);

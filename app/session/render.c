@@ -38,24 +38,45 @@ static bool open_picture(struct rendering *rendering, struct file_error *error)
                      script->height, picture.width, picture.height);
 }
 
+/* What is written: the painting's fields, then those of what grows over it. */
+struct channels {
+    const char *names[IMAGE_CHANNELS_MAX];
+    const float *planes[IMAGE_CHANNELS_MAX];
+    char own[IMAGE_CHANNELS_MAX][PLOT_CHANNEL_NAME];
+    int count;
+};
+
+static bool fill_channels(struct rendering *rendering, struct channels *channels, float *values)
+{
+    const struct script *script = rendering->script;
+    bool good = true;
+    for (int i = 0; i < channels->count && good; i++) {
+        float *at = values + (size_t)i * rendering->cells;
+        if (i < PAINTING_FIELDS) {
+            rendering->running.engine->ops->read(rendering->running.engine, (enum painting_field)i, at);
+            channels->names[i] = painting_field_name((enum painting_field)i);
+        } else {
+            plot_channel_name(rendering->running.plot, i - PAINTING_FIELDS, channels->own[i]);
+            channels->names[i] = channels->own[i];
+            good = plot_channel(rendering->running.plot, i - PAINTING_FIELDS, script->width, script->height, at);
+        }
+        channels->planes[i] = at;
+    }
+    return good;
+}
+
 static bool write_fields(struct rendering *rendering, const char *path, struct file_error *error)
 {
-    const char *names[PAINTING_FIELDS];
-    const float *planes[PAINTING_FIELDS];
-    float *values = malloc(PAINTING_FIELDS * rendering->cells * sizeof *values);
-    if (!values) {
-        return file_fail(error, path, "memory is short for the fields");
-    }
-    for (int field = 0; field < PAINTING_FIELDS; field++) {
-        float *at = values + (size_t)field * rendering->cells;
-        rendering->running.engine->ops->read(rendering->running.engine, (enum painting_field)field, at);
-        names[field] = painting_field_name((enum painting_field)field);
-        planes[field] = at;
-    }
+    struct channels channels = {.count = PAINTING_FIELDS};
+    channels.count += rendering->running.plot ? plot_channels(rendering->running.plot) : 0;
+    channels.count = channels.count < IMAGE_CHANNELS_MAX ? channels.count : IMAGE_CHANNELS_MAX;
+    float *values = malloc((size_t)channels.count * rendering->cells * sizeof *values);
+    bool good = values && fill_channels(rendering, &channels, values);
     struct image_def def = image_default_def();
     def.megabytes = 4096; /* our own planes, not a stranger's file */
-    bool good = image_write_exr(path, names, planes, PAINTING_FIELDS, rendering->script->width,
-                                rendering->script->height, &def, error);
+    good = good ? image_write_exr(path, channels.names, channels.planes, channels.count, rendering->script->width,
+                                  rendering->script->height, &def, error)
+                : file_fail(error, path, "memory is short for the fields");
     free(values);
     return good;
 }
@@ -129,7 +150,8 @@ static bool write_end(struct rendering *rendering, struct file_error *error)
     struct easel_scene scene = scene_of(rendering);
     return (!def->journal || write_journal(rendering, def->journal, error)) &&
            (!def->fields || write_fields(rendering, def->fields, error)) &&
-           (!def->stats || stats_write(def->stats, rendering->script, rendering->running.engine, error)) &&
+           (!def->stats ||
+            stats_write(def->stats, rendering->script, rendering->running.engine, rendering->running.plot, error)) &&
            (!def->svg || easel_write_plan(rendering->running.engine, def->paper_mm, def->svg, error)) &&
            (!def->picture || easel_write(&rendering->picture, &scene, def->picture, error));
 }

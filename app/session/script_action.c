@@ -8,14 +8,16 @@
 #include "raster.h"
 #include "script_session.h"
 #include "script_structure.h"
+#include "script_text.h"
 
 /* What one verb's parameters need to know of each other. */
 struct parameters {
     const struct key *setting;       /* what `set`, `shape`, ... sets; NULL for other verbs, or where it is wrong */
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
-    const struct yaml_node *structure; /* in place of the picture */
-    const struct yaml_node *session;   /* the same */
+    const struct yaml_node *structure; /* in place of the picture, */
+    const struct yaml_node *session;   /* or what another session comes to, */
+    const struct yaml_node *text;      /* or words */
     bool bound;                        /* place and ink may come later */
 };
 
@@ -212,6 +214,7 @@ static bool read_parameter(struct reader *reader, const struct key *key, const s
     if (key->type == KEY_PICTURE) {
         *(strcmp(key->name, "structure") == 0 ? &parameters->structure
           : strcmp(key->name, "session") == 0 ? &parameters->session
+          : strcmp(key->name, "text") == 0    ? &parameters->text
                                               : &parameters->picture) = node;
         return true;
     }
@@ -236,16 +239,17 @@ static void missing(struct reader *reader, const struct yaml_node *node, const c
 /* One raster at most; whether there is any. */
 static bool check_rasters(struct reader *reader, const struct yaml_node *node, const struct parameters *parameters)
 {
-    const char *found[4];
+    const char *found[5];
     int count = 0;
     const struct {
         const char *name;
         const struct yaml_node *node;
-    } rasters[] = {{"formula", parameters->formula},
+    } rasters[] = {{"text", parameters->text},
+                   {"formula", parameters->formula},
                    {"picture", parameters->picture},
                    {"structure", parameters->structure},
                    {"session", parameters->session}};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 5; i++) {
         if (rasters[i].node) {
             found[count++] = rasters[i].name;
         }
@@ -291,7 +295,8 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
 
 enum { PARAMETERS_MAX = 16 };
 
-/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure or a session. */
+/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure, a session, or words.
+ */
 static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX + 1])
 {
     int count = key_count(action_keys(verb));
@@ -305,6 +310,10 @@ static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX 
         keys[count] = *picture;
         keys[count].required = false;
         keys[count++].name = "session";
+    }
+    if (picture && script_text_is_for(verb)) {
+        keys[count] = *picture;
+        keys[count++].name = "text";
     }
     return count;
 }
@@ -360,6 +369,11 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     if (parameters.session) {
         size_t length = reader_enter(reader, "session");
         script_session_read(reader, parameters.session, action);
+        reader_leave(reader, length);
+    }
+    if (parameters.text) {
+        size_t length = reader_enter(reader, "text");
+        script_text_read(reader, parameters.text, action);
         reader_leave(reader, length);
     }
 }
