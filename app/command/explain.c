@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "action.h"
+#include "bolt_order.h"
 #include "brush.h"
 #include "exhibit.h"
 #include "grow.h"
@@ -214,9 +215,9 @@ bool explain(const char *asked, FILE *out)
     struct key structure[SCRIPT_STRUCTURE_KEYS];
     script_structure_keys(structure);
     explain_keys(&explaining, "structure", "What grows over a picture, wherever a verb takes a picture.", structure);
+    explain_keys(&explaining, "text", "Words in place of a picture, of dose, style and strike.", script_text_keys);
     explain_keys(&explaining, "session", "What another session comes to, wherever a verb takes a picture.",
                  script_session_keys);
-    explain_keys(&explaining, "text", "Words in place of a picture, of dose, style and strike.", script_text_keys);
     explain_tables(&explaining, exhibit_tables);
     for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
         exhibit_options_keys((enum scene_kind)kind, options);
@@ -225,6 +226,9 @@ bool explain(const char *asked, FILE *out)
     explain_tables(&explaining, inputs_tables);
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", laplacian_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", bolt_look_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt.", bolt_order_keys);
     explain_names(&explaining);
     return explaining.found;
 }

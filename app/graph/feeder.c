@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "feed.h"
+#include "feed_action.h"
 #include "garden.h"
 #include "raster.h"
 #include "scene_options.h"

@@ -16,8 +16,8 @@ struct parameters {
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
     const struct yaml_node *structure; /* in place of the picture, */
-    const struct yaml_node *session;   /* or what another session comes to, */
-    const struct yaml_node *text;      /* or words */
+    const struct yaml_node *text;      /* or words, */
+    const struct yaml_node *session;   /* or what another session comes to */
     bool bound;                        /* place and ink may come later */
 };
 
@@ -213,8 +213,8 @@ static bool read_parameter(struct reader *reader, const struct key *key, const s
     }
     if (key->type == KEY_PICTURE) {
         *(strcmp(key->name, "structure") == 0 ? &parameters->structure
-          : strcmp(key->name, "session") == 0 ? &parameters->session
           : strcmp(key->name, "text") == 0    ? &parameters->text
+          : strcmp(key->name, "session") == 0 ? &parameters->session
                                               : &parameters->picture) = node;
         return true;
     }
@@ -237,6 +237,7 @@ static void missing(struct reader *reader, const struct yaml_node *node, const c
 }
 
 /* One raster at most; whether there is any. */
+/* At most one of them; whether there is any. */
 static bool check_rasters(struct reader *reader, const struct yaml_node *node, const struct parameters *parameters)
 {
     const char *found[5];
@@ -244,10 +245,10 @@ static bool check_rasters(struct reader *reader, const struct yaml_node *node, c
     const struct {
         const char *name;
         const struct yaml_node *node;
-    } rasters[] = {{"text", parameters->text},
-                   {"formula", parameters->formula},
+    } rasters[] = {{"formula", parameters->formula},
                    {"picture", parameters->picture},
                    {"structure", parameters->structure},
+                   {"text", parameters->text},
                    {"session", parameters->session}};
     for (int i = 0; i < 5; i++) {
         if (rasters[i].node) {
@@ -295,8 +296,7 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
 
 enum { PARAMETERS_MAX = 16 };
 
-/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure, a session, or words.
- */
+/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure, words or a session. */
 static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX + 1])
 {
     int count = key_count(action_keys(verb));
@@ -306,14 +306,14 @@ static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX 
         keys[count] = *picture;
         keys[count++].name = "structure";
     }
+    if (picture && script_text_is_for(verb)) {
+        keys[count] = *picture;
+        keys[count++].name = "text";
+    }
     if (picture) {
         keys[count] = *picture;
         keys[count].required = false;
         keys[count++].name = "session";
-    }
-    if (picture && script_text_is_for(verb)) {
-        keys[count] = *picture;
-        keys[count++].name = "text";
     }
     return count;
 }
@@ -366,14 +366,14 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
         script_structure_read(reader, parameters.structure, action, NULL, NULL);
         reader_leave(reader, length);
     }
-    if (parameters.session) {
-        size_t length = reader_enter(reader, "session");
-        script_session_read(reader, parameters.session, action);
-        reader_leave(reader, length);
-    }
     if (parameters.text) {
         size_t length = reader_enter(reader, "text");
         script_text_read(reader, parameters.text, action);
+        reader_leave(reader, length);
+    }
+    if (parameters.session) {
+        size_t length = reader_enter(reader, "session");
+        script_session_read(reader, parameters.session, action);
         reader_leave(reader, length);
     }
 }

@@ -265,6 +265,54 @@ static void write_comment(FILE *file, const struct key *key, int column)
     fputc('\n', file);
 }
 
+/* Whether a key is one of those of a kind of scene, which --write puts in by itself. */
+static bool is_option(const struct example_row *row)
+{
+    for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
+        char place[EXAMPLE_PLACE];
+        snprintf(place, sizeof place, "scenes[].%s", scene_kind_names[kind]);
+        if (strcmp(row->place, place) == 0 && row->key.type != KEY_TEXT) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void write_option(FILE *file, const struct key *key, int column)
+{
+    fputc('\n', file);
+    write_comment(file, key, column);
+    if (key->type == KEY_FLAG) {
+        fprintf(file, "%*s#%s: %s\n", column, "", key->name, key->initial != 0 ? "true" : "false");
+    } else if (key->type == KEY_CHOICE) {
+        fprintf(file, "%*s#%s: %s\n", column, "", key->name, key->choices[(int)key->initial]);
+    } else {
+        fprintf(file, "%*s#%s: %.10g\n", column, "", key->name, key->initial);
+    }
+}
+
+/* Options that stand nowhere yet, where the last of their place stands, or its section. */
+static void write_missing(FILE *file, const struct example *example, int line)
+{
+    for (int i = 0; i < example->row_count; i++) {
+        const struct example_row *row = &example->rows[i];
+        int last = -1, column = 6;
+        for (int k = 0; k < example->row_count && row->line < 0 && is_option(row); k++) {
+            const struct example_row *other = &example->rows[k];
+            bool section = strncmp(row->place, other->place, strlen(other->place)) == 0 &&
+                           strcmp(row->place + strlen(other->place), ".") > 0 &&
+                           strcmp(row->place + strlen(other->place) + 1, other->key.name) == 0;
+            if ((section || strcmp(row->place, other->place) == 0) && other->line > last) {
+                last = other->line;
+                column = example->kinds[last].column + (section ? 2 : 0);
+            }
+        }
+        if (last == line) {
+            write_option(file, &row->key, column);
+        }
+    }
+}
+
 void example_write(const struct example *example, const char *path)
 {
     FILE *file = fopen(path, "wb");
@@ -289,6 +337,7 @@ void example_write(const struct example *example, const char *path)
             fprintf(file, "%s\n", example->lines[i]);
             before = example->lines[i];
         }
+        write_missing(file, example, i);
     }
     fclose(file);
 }

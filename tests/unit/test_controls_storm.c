@@ -186,13 +186,13 @@ static void hear_actions(struct place *place, struct heard *heard)
         actions++;
         heard->dried += action->verb == ACTION_DRY;
         assert_true(action->path.count <= STROKE_POINTS);
-        if (action->verb == ACTION_HOLD) {
+        if (action->verb == ACTION_HOLD || (action->verb == ACTION_ATTRACT && action->path.count == 0)) {
             assert_in_range(visitor, 1, CONTROLS_HANDS + GESTURE_FINGERS - 1);
             heard->hands[visitor] = action->has_at;
             heard->holds++;
             continue;
         }
-        if (action->verb == ACTION_SHAPE) {
+        if (action->verb == ACTION_SHAPE || action->verb == ACTION_CONDUCT || action->verb == ACTION_REACT) {
             continue; /* nobody's, as ACTION_SET */
         }
         assert_true(visitor >= 0 && visitor < VISITORS && action->ink >= 0 && action->ink < INKS);

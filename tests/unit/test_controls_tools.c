@@ -64,7 +64,7 @@ static void assert_tools(struct place *place)
         controls_set_tool(place->controls, 0, TOOL_DROP); /* a finger goes on with what it has begun */
         finger(place, EVENT_MOVE, 0, 0.6f, 0.5f);
         finger(place, EVENT_MOVE, 0, 0.7f, 0.5f);
-        wait_ms(place, 10);
+        wait_ms(place, 80);
         for (int k = 0; k < TOOLS_DO[i].drag; k++) {
             bool hand = is_hand(TOOLS_DO[i].tool, TOOLS_DO[i].dragged[k]);
             assert_true(take(place) && place->action.visitor == (hand ? CONTROLS_HANDS : 1));

@@ -17,7 +17,8 @@
     "exhibit, title, display, sheet, engine, languages, texts, palettes, scenes, pictures, sessions, palette, seats, " \
     "inputs, visit, access, schedule, wake, gallery, staff, mqtt"
 #define TEXT_KEYS                                                                                                      \
-    "invite, inks, drop, brush, guide, pour, mask, rewind, plant, tend, thin, picture, "                               \
+    "invite, inks, drop, brush, guide, pour, mask, rewind, plant, tend, thin, strike, "                                \
+    "repel, stroke, dose, erase, map, picture, "                                                                       \
     "metaphor, undo, redo, finish, hand, seated, language, countdown, "                                                \
     "stay, thanks, closed"
 #define TREES_KEYS                                                                                                     \
@@ -223,7 +224,8 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "scenes:\n"
            "  - {id: wood, kind: tree}\n"),
-     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees, lightning, chemistry\n"},
+     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees, lightning, "
+     "chemistry\n"},
     {"trees of a painting",
      BYTES("exhibit: 1\n"
            "scenes:\n"
@@ -339,7 +341,7 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "palette: {tools: [brush, rewnd]}\n"),
      "s.yaml:2:26: palette.tools[1]: unknown tool 'rewnd'; did you mean rewind? One of drop, brush, guide, pour, mask, "
-     "rewind, plant, tend, thin\n"},
+     "rewind, plant, tend, thin, strike, repel, stroke, dose, erase, map\n"},
     {"small buttons",
      BYTES("exhibit: 1\n"
            "palette: {target: 10}\n"),

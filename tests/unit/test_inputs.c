@@ -56,7 +56,7 @@ static const struct script_case BAD[] = {
      "s.yaml:3:5: bindings[0]: no source is given; one of touch, usage, button, encoder, key\n"},
     {"no action", BYTES("inputs: 1\nbindings:\n  - {touch: tap}\n"),
      "s.yaml:3:5: bindings[0]: no action is given; one of " VERBS ", next_ink, finish, staff, next_tool, next_scene, "
-     "next_language, next_picture, next_metaphor, switch, cursor, turn, dial\n"},
+     "next_language, next_picture, next_metaphor, next_kind, switch, cursor, turn, dial\n"},
     {"two sources", BYTES("inputs: 1\nbindings:\n  - {touch: tap, usage: X, drop: {}}\n"),
      "s.yaml:3:25: bindings[0].usage: a second source, after touch; a binding has one\n"},
     {"two actions", BYTES("inputs: 1\nbindings:\n  - {touch: tap, drop: {}, clear: {}}\n"),

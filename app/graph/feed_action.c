@@ -1,4 +1,4 @@
-#include "feed.h"
+#include "feed_action.h"
 
 #include <math.h>
 #include <stdlib.h>

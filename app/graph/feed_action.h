@@ -1,7 +1,7 @@
 /* What one scene of an exhibit takes from another, as an action on a fresh sheet: journals, undo and the rest know
  * nothing else. */
-#ifndef FROND_FEED_H
-#define FROND_FEED_H
+#ifndef FROND_FEED_ACTION_H
+#define FROND_FEED_ACTION_H
 
 #include <stdbool.h>
 
