@@ -175,7 +175,7 @@ int bolt_light_gpu_count(const struct bolt_light_gpu *light)
     return light->count;
 }
 
-static void draw_run(const struct bolt_light_gpu *light, int first, int count)
+static void draw_run(int first, int count)
 {
     for (unsigned i = 0; i < ATTRIBUTES; i++) {
         size_t at = (size_t)bytes_of(first) + i * 4 * sizeof(float);
@@ -197,7 +197,7 @@ static bool draw_blocks(const struct bolt_light_gpu *light, float age, bool leav
         }
         run += seen ? count : 0;
         if (run > 0 && (!seen || first + count == light->count)) {
-            draw_run(light, seen ? first + count - run : first - run, run);
+            draw_run(seen ? first + count - run : first - run, run);
             run = 0;
         }
     }
