@@ -47,6 +47,7 @@ static const struct figure_group GROUPS[] = {
     {"hidden", "real photographs in trees", figure_hidden},
     {"portrait", "a portrait as growing ink", figure_portrait},
     {"laplacian", "bolts, coral, attractors, masks, light", figure_laplacian},
+    {"light", "Laplacian growth as light, lines and bodies", figure_light},
     {"chemistry", "Gray-Scott: the figures of the article", figure_chemistry},
     {"classes", "Gray-Scott: Pearson's classes and the map of feed and kill", figure_classes},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
