@@ -83,7 +83,7 @@ reads stats a.json 500 tree
 rsvg-convert a.svg -o svg.png || fail "the SVG is not one"
 reads alike a.png svg.png
 reads alike a.png film/000002.png
-expect 0 --kind tree --particles 500 --size 240x180 --seed 4 -o b.png -o b.obj --stats b.json --turn 0.25
+expect 0 --kind tree --particles 500 --size 240x180 --seed 4 -o b.png --turn 0.25
 cmp -s a.png b.png && fail "$last: it is not turned"
 expect 0 --kind tree --particles 500 --size 240x180 --seed 4 -o b.png -o b.obj -o b.ply --lines
 cmp -s a.png b.png || fail "$last: the same is not the same"
@@ -91,13 +91,13 @@ reads lines b.obj
 reads lines b.ply
 
 # Charges: it grows towards and away from; it is complete where it hits.
-expect 0 --bare --particles 600 --eta 4 --attractor 120,0:4000 --size 200x200 -o a.png --stats east.json
-expect 0 --bare --particles 600 --eta 4 --repulsor 120,0:4000 --size 200x200 -o b.png --stats west.json
+expect 0 --bare --particles 600 --span 200 --eta 4 --attractor 120,0:4000 --size 100x100 -o a.png
+expect 0 --bare --particles 600 --span 200 --eta 4 --repulsor 120,0:4000 --size 100x100 -o b.png
 reads sides a.png b.png
-expect 0 --bare --particles 5000 --eta 4 --span 200 --attractor "plane:0,60/0,1:2000!" --size 200x200 -o a.png --stats hit.json
+expect 0 --bare --particles 5000 --eta 4 --span 200 --attractor "plane:0,60/0,1:2000!" --stats hit.json
 grep -q '"status":"hit"' hit.json || fail "$last: it does not hit"
 expect 0 --bare --particles 300 --dimensions 3 --attractor "line:40,0,5/0,1,0:20" --repulsor "cylinder:-30,0/0,1/5:20!" \
-    --attractor "stroke:10,10,1;40,50,1;60,0,2:4" --seed-at 0,0/4,4,4 --size 100x100 -o a.png --stats s.json
+    --attractor "stroke:10,10,1;40,50,1;60,0,2:4" --seed-at 0,0/4,4,4 --stats s.json
 grep -q '"shape":"stroke"' s.json || fail "$last: no stroke"
 
 # Pictures, read by the helper: a mask, its outline, eta by place, light around.
@@ -106,10 +106,10 @@ reads draw black.png
 reads draw left.png
 expect 0 --bare --particles 3000 --eta 1 --span 120 --mask disc.png --size 120x120 --style line -o m.png
 reads within m.png
-expect 0 --bare --particles 1500 --eta 1 --span 120 --outline disc.png --size 120x120 -o o.png --stats o.json
-expect 0 --bare --particles 700 --eta 2 --eta-map disc.png --size 120x120 -o e.png
+expect 0 --bare --particles 1500 --eta 1 --span 120 --outline disc.png --stats o.json
+expect 0 --bare --particles 700 --eta 2 --eta-map disc.png --size 100x100 --span 200 -o e.png
 expect 0 --bare --particles 900 --eta 4 --environment left.png --environment-radius 200 --environment-strength 2 \
-    --size 200x200 -o l.png
+    --size 100x100 --span 200 -o l.png
 reads sides e.png l.png
 
 # What cannot be: a clear word, or a sensible picture.
@@ -121,13 +121,13 @@ expect 1 --bare --particles 1 -o a.png
 says "a.png: nothing has grown but a single seed"
 expect 1 --bare --dimensions 4 --environment left.png -o a.png
 says "--environment: is for 2 and 3 dimensions, these are 4"
-expect 0 --bare --eta 20 --particles 300 --size 90x90 -o a.png --stats a.json
+expect 0 --bare --eta 20 --particles 300 --stats a.json
 reads stats a.json 300 lightning
-expect 0 --bare --eta 0 --particles 300 --size 90x90 -o a.png
+expect 0 --bare --eta 0 --particles 300 --stats b.json
 expect 0 --bare --attractor 0,0:5000 --attractor 0,0:5000 --repulsor 0,0:5000 --seed-at 0,0 --seed-at 0,0 --particles 300 \
-    --size 90x90 -o a.png --stats a.json
+    --stats a.json
 reads stats a.json 300 lightning
-expect 0 --bare --dimensions 4 --particles 250 --projection xyw --size 90x90 -o a.png -o a.ply
+expect 0 --bare --dimensions 4 --particles 250 --projection xyw --size 90x90 -o a.ply
 reads tubes a.ply
 
 [ "$failures" -eq 0 ] || exit 1
