@@ -31,20 +31,21 @@ static const struct kind KINDS[LIGHT_CASES] = {
          .jitter = 0.7f,
          .strikes = true,
          .smooth = 1,
-         .look = {BOLT_GLOW, 1.1f, 0.11f, 2.2f, {0.36f, 0.38f, 1}, {1, 0.97f, 1}, {0.004f, 0.003f, 0.012f}}},
+         .look = {BOLT_GLOW, 1.1f, 0.11f, 2.2f, {0.36f, 0.38f, 1}, {1, 0.97f, 1}, {0.004f, 0.003f, 0.012f}, 0, 0}},
     [LIGHT_TESLA] =
         {.dimensions = 2,
          .particles = 4000,
          .eta = 4.2f,
          .jitter = 0.7f,
          .strikes = true,
-         .look = {BOLT_GLOW, 1.0f, 0.25f, 2.5f, {0.55f, 0.25f, 1}, {1, 0.95f, 1}, {0.002f, 0.001f, 0.006f}}},
-    [LIGHT_DISC] = {.dimensions = 2,
-                    .particles = 40000,
-                    .eta = 1.6f,
-                    .jitter = 0.7f,
-                    .strikes = true,
-                    .look = {BOLT_GLOW, 1.3f, 0.2f, 3, {0.25f, 0.5f, 1}, {0.95f, 1, 1}, {0.001f, 0.003f, 0.008f}}},
+         .look = {BOLT_GLOW, 1.0f, 0.25f, 2.5f, {0.55f, 0.25f, 1}, {1, 0.95f, 1}, {0.002f, 0.001f, 0.006f}, 0, 0}},
+    [LIGHT_DISC] =
+        {.dimensions = 2,
+         .particles = 40000,
+         .eta = 1.6f,
+         .jitter = 0.7f,
+         .strikes = true,
+         .look = {BOLT_GLOW, 1.3f, 0.2f, 3, {0.25f, 0.5f, 1}, {0.95f, 1, 1}, {0.001f, 0.003f, 0.008f}, 0, 0}},
     [LIGHT_RIVER] =
         {.dimensions = 2,
          .particles = 9000,
@@ -52,18 +53,19 @@ static const struct kind KINDS[LIGHT_CASES] = {
          .charge = {LAPLACIAN_PLANE, 1500, {0, 260}, {0, 1}, 0, NULL, 0, true},
          .jitter = 0.7f,
          .smooth = 4,
-         .look = {BOLT_LINE, 5, 0.3f, 2.2f, {0.05f, 0.14f, 0.24f}, {0.2f, 0.42f, 0.55f}, {0.86f, 0.8f, 0.66f}}},
+         .look = {BOLT_LINE, 5, 0.3f, 2.2f, {0.05f, 0.14f, 0.24f}, {0.2f, 0.42f, 0.55f}, {0.86f, 0.8f, 0.66f}, 0, 0}},
     [LIGHT_CITY] =
         {.dimensions = 2,
          .particles = 7000,
          .eta = 1.2f,
-         .look = {BOLT_LINE, 1.5f, 0.22f, 3, {0.1f, 0.1f, 0.12f}, {0.95f, 0.75f, 0.3f}, {0.9f, 0.89f, 0.86f}}},
+         .look = {BOLT_LINE, 1.5f, 0.22f, 3, {0.1f, 0.1f, 0.12f}, {0.95f, 0.75f, 0.3f}, {0.9f, 0.89f, 0.86f}, 0, 0}},
     [LIGHT_CRACKS] =
         {.dimensions = 2,
          .particles = 2500,
          .eta = 3.5f,
          .jitter = 0.7f,
-         .look = {BOLT_LINE, 1.1f, 0.12f, 2, {0.02f, 0.025f, 0.03f}, {0.02f, 0.02f, 0.03f}, {0.62f, 0.68f, 0.7f}}},
+         .look =
+             {BOLT_LINE, 1.1f, 0.12f, 2, {0.02f, 0.025f, 0.03f}, {0.02f, 0.02f, 0.03f}, {0.62f, 0.68f, 0.7f}, 0, 0}},
     [LIGHT_VESSELS] =
         {.dimensions = 2,
          .particles = 9000,
@@ -71,13 +73,14 @@ static const struct kind KINDS[LIGHT_CASES] = {
          .jitter = 0.7f,
          .smooth = 6,
          .seed = {{0, 0}, {0, 0}},
-         .look = {BOLT_LINE, 4, 0.25f, 2.6f, {0.25f, 0.01f, 0.02f}, {0.6f, 0.07f, 0.06f}, {0.93f, 0.72f, 0.6f}}},
-    [LIGHT_FROST] = {.dimensions = 2,
-                     .particles = 16000,
-                     .eta = 1.5f,
-                     .charge = {LAPLACIAN_PLANE, 300, {0, -200}, {0, 1}, 0, NULL, 0, false},
-                     .seed = {{-150, 120}, {150, 120}},
-                     .look = {BOLT_LINE, 1.2f, 0.22f, 3, {0.75f, 0.87f, 0.95f}, {1, 1, 1}, {0.02f, 0.06f, 0.12f}}},
+         .look = {BOLT_LINE, 4, 0.25f, 2.6f, {0.25f, 0.01f, 0.02f}, {0.6f, 0.07f, 0.06f}, {0.93f, 0.72f, 0.6f}, 0, 0}},
+    [LIGHT_FROST] =
+        {.dimensions = 2,
+         .particles = 16000,
+         .eta = 1.5f,
+         .charge = {LAPLACIAN_PLANE, 300, {0, -200}, {0, 1}, 0, NULL, 0, false},
+         .seed = {{-150, 120}, {150, 120}},
+         .look = {BOLT_LINE, 1.2f, 0.22f, 3, {0.75f, 0.87f, 0.95f}, {1, 1, 1}, {0.02f, 0.06f, 0.12f}, 0, 0}},
     [LIGHT_CORAL] =
         {.dimensions = 3,
          .particles = 6000,
@@ -85,7 +88,7 @@ static const struct kind KINDS[LIGHT_CASES] = {
          .charge = {LAPLACIAN_PLANE, -6000, {0, 6}, {0, 1}, 0, NULL, 0, false},
          .jitter = 0.7f,
          .smooth = 4,
-         .look = {BOLT_BODY, 2.2f, 0.5f, 3, {0.62f, 0.09f, 0.06f}, {0.98f, 0.62f, 0.42f}, {0.02f, 0.07f, 0.1f}},
+         .look = {BOLT_BODY, 2.2f, 0.5f, 3, {0.62f, 0.09f, 0.06f}, {0.98f, 0.62f, 0.42f}, {0.02f, 0.07f, 0.1f}, 0, 0},
          .tilt = 0.04f},
     [LIGHT_TREE] =
         {.dimensions = 3,
@@ -96,7 +99,7 @@ static const struct kind KINDS[LIGHT_CASES] = {
          .jitter = 0.7f,
          .smooth = 3,
          .look =
-             {BOLT_BODY, 2.4f, 0.22f, 2.4f, {0.16f, 0.085f, 0.045f}, {0.16f, 0.36f, 0.05f}, {0.72f, 0.82f, 0.9f}, 3},
+             {BOLT_BODY, 2.4f, 0.22f, 2.4f, {0.16f, 0.085f, 0.045f}, {0.16f, 0.36f, 0.05f}, {0.72f, 0.82f, 0.9f}, 3, 0},
          .tilt = 0.02f},
 };
 
@@ -207,7 +210,8 @@ static float fit(struct grown *grown, int width, int height)
             high[d] = fmaxf(high[d], grown->at[i][d]);
         }
     }
-    float scale = 0.86f * fminf((float)width / (high[0] - low[0] + 1), (float)height / (high[1] - low[1] + 1));
+    float scale = 0.86f * fminf((float)width / (fmaxf(high[0] - low[0], high[2] - low[2]) + 1),
+                                (float)height / (high[1] - low[1] + 1));
     for (int i = 0; i < grown->count; i++) {
         grown->at[i][0] = (grown->at[i][0] - (low[0] + high[0]) / 2) * scale + (float)width / 2;
         grown->at[i][1] = (grown->at[i][1] - (low[1] + high[1]) / 2) * scale + (float)height / 2;
