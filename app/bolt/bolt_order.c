@@ -89,7 +89,10 @@ static bool read_raster(const char *path, int side, struct action_raster *raster
         fit_size(&image, longer < side ? longer : side, &width, &height);
         linear = fit_linear(&image, width, height);
         values = malloc((size_t)width * (size_t)height * sizeof *values);
-        good = (linear && values) || file_fail(error, path, "memory is short");
+        good = linear && values;
+        if (!good) {
+            file_fail(error, path, "memory is short");
+        }
         for (size_t i = 0; i < (size_t)width * (size_t)height && good; i++) {
             const float *pixel = linear + 4 * i;
             values[i] = pixel[3] * (0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2]);

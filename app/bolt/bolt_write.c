@@ -37,8 +37,10 @@ bool bolt_write_png(const struct bolt_result *result, const char *path, struct f
         return file_fail(error, path, "nothing has grown but a single seed");
     }
     uint8_t *rgb = calloc((size_t)order->width * (size_t)order->height, 3);
-    bool good = (rgb && bolt_light_lay(&view, 1e6, order->width, order->height, rgb)) ||
-                file_fail(error, path, "memory is short");
+    bool good = rgb && bolt_light_lay(&view, 1e6, order->width, order->height, rgb);
+    if (!good) {
+        file_fail(error, path, "memory is short");
+    }
     good = good && image_write_png(path, rgb, order->width, order->height, NULL, error);
     end_view(&view);
     free(rgb);
@@ -53,7 +55,10 @@ bool bolt_write_frames(const struct bolt_result *result, const char *folder, str
         return file_fail(error, folder, "nothing has grown but a single seed");
     }
     uint8_t *rgb = calloc((size_t)order->width * (size_t)order->height, 3);
-    bool good = rgb || file_fail(error, folder, "memory is short");
+    bool good = rgb;
+    if (!good) {
+        file_fail(error, folder, "memory is short");
+    }
     struct progress progress = progress_start("writing the film", stderr);
     for (int i = 0; i < order->film && good; i++) {
         char path[4096];

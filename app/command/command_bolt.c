@@ -109,7 +109,9 @@ static void list_table(struct options *options, const struct key *keys, size_t o
         *row = (struct row){.key = key, .offset = offset, .own = keys == bolt_order_keys, .turn = turn_of(key->name)};
         snprintf(row->name, sizeof row->name, "%s", key->name);
         for (char *at = row->name; *at; at++) {
-            *at = *at == '_' ? '-' : *at;
+            if (*at == '_') {
+                *at = '-';
+            }
         }
         options->listed[OWN_COUNT + options->count] = (struct option){
             row->name, key->type == KEY_FLAG ? no_argument : required_argument, NULL, FIRST_ROW + options->count};
@@ -177,6 +179,9 @@ static void take_picture(struct bolt_order *order, const char *name, const char 
 static bool take_value(struct bolt_order *order, const struct row *row, const char *text)
 {
     const struct key *key = row->key;
+    if (!key) {
+        return false;
+    }
     void *field = (char *)order + row->offset + key->offset;
     char allowed[1200];
     bool good = true;

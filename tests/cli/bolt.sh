@@ -104,7 +104,7 @@ grep -q '"shape":"stroke"' s.json || fail "$last: no stroke"
 reads draw disc.png
 reads draw black.png
 reads draw left.png
-expect 0 --bare --particles 3000 --eta 1 --span 120 --mask disc.png --size 120x120 -o m.png
+expect 0 --bare --particles 3000 --eta 1 --span 120 --mask disc.png --size 120x120 --style line -o m.png
 reads within m.png
 expect 0 --bare --particles 1500 --eta 1 --span 120 --outline disc.png --size 120x120 -o o.png --stats o.json
 expect 0 --bare --particles 700 --eta 2 --eta-map disc.png --size 120x120 -o e.png
