@@ -56,11 +56,12 @@ struct storm_bolt {
     int limit;                   /* particles */
     struct laplacian_charge pulls[BOLT_CHARGES];
     int pull_count;
-    bool aims;           /* at `target`: pulls[0] is beyond it, pulls[1] there */
-    struct point target; /* 0..1 of the sheet */
-    int64_t heard;       /* hands as of this change */
-    int64_t charged;     /* tick */
-    int64_t felt;        /* others as of this change */
+    bool aims;                         /* at `target`: pulls[0] is beyond it, pulls[1] there */
+    struct point target;               /* 0..1 of the sheet */
+    int64_t heard;                     /* hands as of this change */
+    int64_t charged;                   /* tick */
+    int32_t charged_count, felt_count; /* particles when hands, and when strokes, were weighed */
+    int64_t felt;                      /* others as of this change */
 
     struct storm_node *nodes;
     int32_t count, room;
@@ -125,6 +126,8 @@ void storm_bolt_free(struct storm_bolt *bolt);
 void storm_dismiss(struct storm *storm, struct storm_bolt *bolt, int ticks);
 /* By one tick: growth, hits, what has had its time. */
 void storm_grow(struct storm *storm);
+/* How many times a hand's charge counts: as much for a large bolt as for a small one. */
+float storm_felt(const struct storm_bolt *bolt);
 bool storm_bolt_grows(const struct storm_bolt *bolt);
 /* Particles of all. */
 int64_t storm_particles(const struct storm *storm);
