@@ -47,6 +47,7 @@ static const struct figure_group GROUPS[] = {
     {"hidden", "real photographs in trees", figure_hidden},
     {"portrait", "a portrait as growing ink", figure_portrait},
     {"laplacian", "bolts, coral, attractors, masks, light", figure_laplacian},
+    {"storm", "a strike over time, a coral with hands, rivers that keep clear", figure_storm},
     {"lsystem", "plants that bend to light, keep clear of walls, climb", figure_lsystem},
     {"chemistry", "Gray-Scott: the figures of the article", figure_chemistry},
     {"classes", "Gray-Scott: Pearson's classes and the map of feed and kill", figure_classes},
