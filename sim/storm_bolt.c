@@ -16,8 +16,9 @@ enum {
     CHARGES_FREE = 120, /* charges that make a particle cost twice as much */
     FEELS_EACH = 8,     /* ticks between which others are felt */
     FELT_FROM = 500,    /* particles of a bolt from which charges of visitors count as shares of it */
-    SHAPED_EACH = 6,    /* ticks between which radii are made anew, at least */
-    LEADER_MOST = 400,  /* particles a tick that a strike may grow by when its time is short */
+    SWELLS_EACH = 3,
+    SHAPED_EACH = 6,   /* ticks between which radii are made anew, at least */
+    LEADER_MOST = 400, /* particles a tick that a strike may grow by when its time is short */
 };
 static const float FLASH = 0.2f, FLICKER = 0.08f;
 
@@ -258,6 +259,7 @@ static void finish(struct storm *storm, struct storm_bolt *bolt)
     bolt->struck = storm->now;
     laplacian_destroy(bolt->laplacian);
     bolt->laplacian = NULL;
+    bolt->swells = bolt->aims || bolt->count >= bolt->limit ? storm->now : storm->now + STORM_SWELL;
     if (hit && bolt->aims) {
         bolt->hit = bolt->count - 1;
         strike_home(storm, bolt);
@@ -403,6 +405,10 @@ static void age(struct storm *storm, int slot)
         }
         forget(storm, slot);
         return;
+    }
+    if (bolt->complete && storm->now <= bolt->swells && (bolt->swells - storm->now) % SWELLS_EACH == 0) {
+        storm_shape(storm, bolt);
+        storm_dress(storm, slot);
     }
     for (int i = 0; i < bolt->agains; i++) {
         if (bolt->again[i] == storm->now && bolt->undone == 0 && !bolt->leaves) {

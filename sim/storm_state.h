@@ -13,6 +13,7 @@ enum {
     STORM_MASK = 512,    /* values of the mask along the longer side */
     STORM_RESTRIKES = 3, /* at most, of a strike that has come */
     STORM_POINTS = 256,  /* of a painted charge */
+    STORM_SWELL = 60,    /* ticks in which a bolt that is complete before its time becomes as thick as it is to be */
     STORM_FLASH = 14,    /* ticks that a flash lasts */
 };
 #define STORM_ECHO 0.6f      /* of a strike's life: each restrike */
@@ -42,6 +43,7 @@ struct storm_bolt {
     float extent;          /* cells of the growth from where it began, 0: none */
     float from[3];         /* where it began, cells of the growth */
     float life;            /* ticks; 0: it stays */
+    int64_t swells;        /* till that tick its branches become thicker */
     int64_t struck;        /* tick at which it was complete */
     int64_t gone;          /* tick at which it is forgotten, or STORM_AGES */
     int64_t again[STORM_RESTRIKES];

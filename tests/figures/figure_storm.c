@@ -113,7 +113,7 @@ static void draw_strike(struct figure *figure, struct sheet *sheet)
                  (int)(tick - from), most);
     ticks(storm, &tick, tick + 4);
     show(sheet, storm, tick - 1, "once more");
-    ticks(storm, &tick, tick + 70);
+    ticks(storm, &tick, tick + 18);
     show(sheet, storm, tick - 1, "fading");
     ticks(storm, &tick, tick + 200);
     figure_check(figure, storm_is_calm(storm, tick), "then it is forgotten");
