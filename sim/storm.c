@@ -167,8 +167,8 @@ bool storm_is_calm(const struct storm *storm, int64_t tick)
     bool calm = true, deep = false;
     for (int slot = 0; slot < STORM_SLOTS; slot++) {
         const struct storm_bolt *bolt = &storm->bolts[slot];
-        bool fades = bolt->lives && bolt->gone < STORM_AGES;
-        calm = calm && !storm_bolt_grows(bolt) && !fades;
+        bool fades = bolt->lives && bolt->gone < STORM_AGES, swells = bolt->complete && tick < bolt->swells;
+        calm = calm && !storm_bolt_grows(bolt) && !fades && !swells;
         deep = deep || bolt->lives;
     }
     bool turns = deep && storm->def.dimensions == 3 && storm->def.turn != 0;
