@@ -26,8 +26,8 @@ static float slope(const float *plane, int width, int height, int x, int y, bool
     int dx = down ? 0 : 1, dy = down ? 1 : 0;
     int right = x + dx < width ? x + dx : x, left = x - dx >= 0 ? x - dx : x;
     int below = y + dy < height ? y + dy : y, above = y - dy >= 0 ? y - dy : y;
-    return 0.5f * (plane[(size_t)below * (size_t)width + (size_t)right] -
-                   plane[(size_t)above * (size_t)width + (size_t)left]);
+    return 0.5f *
+           (plane[(size_t)below * (size_t)width + (size_t)right] - plane[(size_t)above * (size_t)width + (size_t)left]);
 }
 
 static void put(float *along, size_t cells, size_t i, float x, float y, float length)
@@ -48,8 +48,15 @@ static bool open_work(struct work *work, int width, int height)
 {
     size_t cells = (size_t)width * (size_t)height;
     float *planes = calloc(PLANES * cells, sizeof *planes);
-    *work = (struct work){width,           height,          planes,          planes + cells,    planes + 2 * cells,
-                          planes + 3 * cells, planes + 4 * cells, planes + 5 * cells, planes + 6 * cells};
+    *work = (struct work){width,
+                          height,
+                          planes,
+                          planes + cells,
+                          planes + 2 * cells,
+                          planes + 3 * cells,
+                          planes + 4 * cells,
+                          planes + 5 * cells,
+                          planes + 6 * cells};
     return planes;
 }
 
@@ -113,8 +120,8 @@ bool along_of_pattern(const float *dark, int width, int height, float *along)
             size_t i = (size_t)y * (size_t)width + (size_t)x;
             float u, v, coherence, near = fminf(NEAR * work.near[i], 1);
             least_change(&work, i, &u, &v, &coherence);
-            float towards = u * slope(work.dense, width, height, x, y, false) +
-                            v * slope(work.dense, width, height, x, y, true);
+            float towards =
+                u * slope(work.dense, width, height, x, y, false) + v * slope(work.dense, width, height, x, y, true);
             put(along, cells, i, towards > 0 ? -u : u, towards > 0 ? -v : v, coherence * near);
         }
     }

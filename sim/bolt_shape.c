@@ -9,8 +9,11 @@
 
 struct bolt_sight bolt_sight_of(const struct bolt *bolt, int width, int height)
 {
-    return (struct bolt_sight){
-        .scale = bolt_scale(bolt, width), .width = (float)width, .height = (float)height, .axes = {0, 1, 2}};
+    return (struct bolt_sight){.scale = bolt_scale(bolt, width),
+                               .width = (float)width,
+                               .height = (float)height,
+                               .axes = {0, 1, 2},
+                               .turn = {1, 0}};
 }
 
 void bolt_shape_finish(struct bolt_shape *shape)
@@ -21,18 +24,10 @@ void bolt_shape_finish(struct bolt_shape *shape)
 
 static void place(struct bolt_node *node, const struct laplacian_node *from, const struct bolt_sight *sight)
 {
-    for (int d = 0; d < 3; d++) {
-        node->at[d] = from->at[sight->axes[d]];
-    }
-    for (int d = 0; d < LAPLACIAN_DIMENSIONS_MAX; d++) {
-        node->at[0] += sight->tilt[d] * from->at[d];
-        node->at[1] -= sight->tilt[d] * from->at[d] * 0.6f;
-    }
-    for (int d = 0; d < 3; d++) {
-        node->at[d] *= sight->scale;
-    }
-    node->at[0] += 0.5f * sight->width;
-    node->at[1] += 0.5f * sight->height;
+    float x = from->at[sight->axes[0]] * sight->scale, z = from->at[sight->axes[2]] * sight->scale;
+    node->at[0] = 0.5f * sight->width + x * sight->turn[0] - z * sight->turn[1];
+    node->at[1] = 0.5f * sight->height + from->at[sight->axes[1]] * sight->scale;
+    node->at[2] = z * sight->turn[0] + x * sight->turn[1];
 }
 
 /* What each carries, from the newest to the oldest. */
@@ -70,8 +65,9 @@ static void widen(struct bolt_shape *shape, const struct bolt_look *look)
     }
 }
 
-/* Hot is the way to the node that struck, else the longest; other ways by what they carry of it. */
-static void heat(struct bolt_shape *shape, int32_t end)
+/* Of light: hot is the way to the node that struck, else the longest; other ways by what they carry. Lines are as
+ * opaque as can be, bodies as light as their colour is. */
+static void heat(struct bolt_shape *shape, int32_t end, int style)
 {
     struct bolt_node *nodes = shape->nodes;
     int32_t most = 1;
@@ -79,7 +75,7 @@ static void heat(struct bolt_shape *shape, int32_t end)
         most = nodes[i].tips > most ? nodes[i].tips : most;
     }
     for (int32_t i = 0; i < shape->count; i++) {
-        nodes[i].heat = 0.12f + 0.5f * sqrtf((float)nodes[i].tips / (float)most);
+        nodes[i].heat = style == BOLT_GLOW ? 0.12f + 0.5f * sqrtf((float)nodes[i].tips / (float)most) : 1;
     }
     for (int32_t i = end; i >= 0; i = nodes[i].parent) {
         nodes[i].heat = 1;
@@ -110,8 +106,7 @@ static bool even_out(struct bolt_shape *shape, int times)
     return good;
 }
 
-/* Seeds hang together where they touch: the nearest earlier one, at most a diagonal away; -1: none. */
-static int32_t seed_before(const struct laplacian *laplacian, int32_t i)
+int32_t bolt_shape_seed_before(const struct laplacian *laplacian, int32_t i)
 {
     enum { LOOKED_AT = 4096 };
     struct laplacian_node here = laplacian_node(laplacian, i);
@@ -144,7 +139,7 @@ bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian
         struct laplacian_node from = laplacian_node(laplacian, i);
         struct bolt_node *node = &shape->nodes[i];
         place(node, &from, sight);
-        node->parent = from.parent >= 0 ? from.parent : seed_before(laplacian, i);
+        node->parent = from.parent >= 0 ? from.parent : bolt_shape_seed_before(laplacian, i);
         node->heaviest = -1;
         node->steps = node->parent >= 0 ? shape->nodes[node->parent].steps + 1 : 0;
         farthest = node->steps > shape->nodes[farthest].steps ? i : farthest;
@@ -152,20 +147,31 @@ bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian
     shape->longest = shape->nodes[farthest].steps;
     count_tips(shape);
     widen(shape, look);
-    heat(shape, laplacian_status(laplacian) == LAPLACIAN_HIT ? count - 1 : farthest);
+    heat(shape, laplacian_status(laplacian) == LAPLACIAN_HIT ? count - 1 : farthest, look->style);
     return even_out(shape, look->smooth);
 }
 
-/* A leaf at every so many of the particles that carry little. */
-static float leaf_of(const struct bolt_shape *shape, int32_t i, const struct bolt_look *look)
+bool bolt_shape_begins(const struct bolt_shape *shape, int32_t node)
 {
-    enum { TWIG = 12 };
-    const struct bolt_node *node = &shape->nodes[i];
-    if (look->leaves <= 0 || node->tips > TWIG) {
+    int32_t parent = shape->nodes[node].parent;
+    return parent >= 0 && (shape->nodes[parent].heaviest != node || shape->nodes[parent].parent < 0);
+}
+
+float bolt_shape_root(const struct bolt_shape *shape, int32_t node)
+{
+    const struct bolt_node *child = &shape->nodes[node], *parent = &shape->nodes[child->parent];
+    float widest = 1.3f * child->radius;
+    return parent->heaviest == node || widest > parent->radius ? parent->radius : widest;
+}
+
+float bolt_shape_leaf(const struct bolt_shape *shape, int32_t node, const struct bolt_look *look)
+{
+    enum { TWIG = 12 }; /* tips that what bears leaves carries, at the most */
+    if (look->leaves <= 0 || shape->nodes[node].tips > TWIG || shape->nodes[node].parent < 0) {
         return 0;
     }
-    bool bears = random_unit(i, 0, 7, RANDOM_PLACE) * look->leaves < 1;
-    return bears ? (2.2f + 1.6f * random_unit(i, 1, 7, RANDOM_PLACE)) * look->tip : 0;
+    bool bears = random_unit(node, 0, 7, RANDOM_PLACE) * look->leaves < 1;
+    return bears ? (7 + 4 * random_unit(node, 1, 7, RANDOM_PLACE)) * look->tip : 0;
 }
 
 struct bolt_segment *bolt_shape_segments(const struct bolt_shape *shape, const struct bolt_look *look, float pace,
@@ -179,16 +185,14 @@ struct bolt_segment *bolt_shape_segments(const struct bolt_shape *shape, const s
             continue;
         }
         const struct bolt_node *parent = &shape->nodes[node->parent];
-        bool goes_on = parent->heaviest == i || parent->parent < 0;
-        float widest = goes_on ? parent->radius : 1.3f * node->radius;
         segments[(*count)++] = (struct bolt_segment){.from = {parent->at[0], parent->at[1], parent->at[2]},
                                                      .to = {node->at[0], node->at[1], node->at[2]},
                                                      .radius = node->radius,
-                                                     .radius_from = widest < parent->radius ? widest : parent->radius,
+                                                     .radius_from = bolt_shape_root(shape, i),
                                                      .birth = pace > 0 ? (float)i / pace : 0,
                                                      .death = FLT_MAX,
                                                      .heat = node->heat,
-                                                     .leaf = leaf_of(shape, i, look)};
+                                                     .leaf = bolt_shape_leaf(shape, i, look)};
     }
     if (*count == 0) {
         free(segments);

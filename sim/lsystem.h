@@ -7,7 +7,8 @@
  *     while (lsystem_step(plant, 1) > 0) ...
  *
  * Bracketed parametric productions, all applied at once at each derivation step. A(o, k) is an apex on an axis of order
- * o that has made k internodes, B(o) a bud, F(l) an internode of l cells; Phi is eq. 13 among all apices and buds:
+ * o that has made k internodes, B(o) a bud, F(l) an internode of l cells; Phi is eq. 13 among all apices, buds and
+ * seeds:
  *
  *     axiom                                        A(0, 0) at every seed
  *     A(o, k)  k >= run decline^o               -> nothing: the axis is full-grown

@@ -58,10 +58,15 @@ int32_t lsystem_add_node(struct lsystem *lsystem, const struct lsystem_node *nod
     return lsystem_lay_charges(lsystem, lsystem->count - 1) ? lsystem->count - 1 : -1;
 }
 
-/* Eq. 13 among all that may grow. */
+/* Eq. 13 among all that may grow, and the feet of the plants, so that few that grow side by side are much the same. */
 static void feel(struct lsystem *lsystem)
 {
-    float least = INFINITY, most = -INFINITY;
+    float least = INFINITY, most = -INFINITY, ignored[3];
+    for (int32_t i = 0; i < lsystem->count && lsystem->nodes[i].parent < 0; i++) {
+        float load = lsystem_load(lsystem, lsystem->nodes[i].at, ignored);
+        least = load < least ? load : least;
+        most = load > most ? load : most;
+    }
     for (int32_t i = 0; i < lsystem->module_count; i++) {
         struct lsystem_module *module = &lsystem->modules[i];
         module->load = lsystem_load(lsystem, lsystem->nodes[module->node].at, module->slope);
@@ -155,7 +160,7 @@ static bool grow_apex(struct lsystem *lsystem, const struct lsystem_module *apex
         return true;
     }
     turn(lsystem, apex, &grown.turtle);
-    if (!lsystem_slide(lsystem, from, length, &grown.turtle, to) || lsystem_is_blocked(lsystem, from, to)) {
+    if (!lsystem_slide(lsystem, from, length, &grown.turtle, to) || lsystem_is_blocked(lsystem, apex->node, to)) {
         return true;
     }
     if (lsystem_is_far(lsystem, to)) {

@@ -110,21 +110,57 @@ bool lsystem_lay_charges(struct lsystem *lsystem, int32_t node)
     return true;
 }
 
-/* Whether a cell is part of another branch: taken, nearer to `at` than the clearance, and not as near to `from`. */
-static bool is_taken(struct lsystem *lsystem, const int32_t cell[3], const float at[3], const float from[3])
+/* Whether two nodes are on branches that part within a few internodes of both. */
+static bool are_kin(const struct lsystem *lsystem, int32_t a, int32_t b, int generations)
 {
+    for (int i = 0; i <= generations && a >= 0; i++, a = lsystem->nodes[a].parent) {
+        int32_t other = b;
+        for (int j = 0; j <= generations && other >= 0; j++, other = lsystem->nodes[other].parent) {
+            if (other == a) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* Of an internode, what is nearest to a place. */
+static void nearest_of(const struct lsystem *lsystem, int32_t node, const float at[3], float place[3])
+{
+    const float *to = lsystem->nodes[node].at;
+    const float *from = lsystem->nodes[node].parent >= 0 ? lsystem->nodes[lsystem->nodes[node].parent].at : to;
+    float along[3], off[3];
+    for (int d = 0; d < 3; d++) {
+        along[d] = to[d] - from[d];
+        off[d] = at[d] - from[d];
+    }
+    float length = lsystem_dot(along, along), part = length > 0 ? lsystem_dot(off, along) / length : 0;
+    between(from, to, part < 0 ? 0 : part > 1 ? 1 : part, place);
+}
+
+/* Whether a cell is part of a branch that is nearer to `at` than the clearance. Where branches fork they are near each
+ * other as they must, and what was near before may be left. */
+static bool is_taken(struct lsystem *lsystem, const int32_t cell[3], const float at[3], int32_t start)
+{
+    const float *from = lsystem->nodes[start].at, clearance = lsystem->def.clearance;
     const int32_t *there = laplacian_cells_find(&lsystem->cells, cell);
     if (!there || *there == LAPLACIAN_CELL_FREE) {
         return false;
     }
-    const float middle[3] = {(float)cell[0], (float)cell[1], (float)cell[2]};
-    float near = distance(middle, at), far = distance(middle, from);
-    return near < lsystem->def.clearance && far > lsystem->def.clearance && near < far;
+    float place[3];
+    nearest_of(lsystem, *there - 1, at, place);
+    float near = distance(place, at), far = distance(place, from);
+    if (near >= clearance || near >= far) {
+        return false;
+    }
+    return far > 2 * clearance || !are_kin(lsystem, *there - 1, start, 1 + (int)(2 * clearance / lsystem->def.length));
 }
 
-bool lsystem_is_blocked(struct lsystem *lsystem, const float from[3], const float to[3])
+bool lsystem_is_blocked(struct lsystem *lsystem, int32_t start, const float to[3])
 {
-    int reach = (int)ceilf(lsystem->def.clearance), pieces = (int)ceilf(distance(from, to));
+    const float *from = lsystem->nodes[start].at;
+    int reach = lsystem->def.clearance > 0 ? (int)ceilf(lsystem->def.clearance) + 1 : 0,
+        pieces = (int)ceilf(distance(from, to));
     int deep = lsystem->def.dimensions == 3 ? reach : 0;
     for (int i = 1; i <= pieces && reach > 0; i++) {
         float at[3];
@@ -135,7 +171,7 @@ bool lsystem_is_blocked(struct lsystem *lsystem, const float from[3], const floa
             for (int y = -reach; y <= reach; y++) {
                 for (int x = -reach; x <= reach; x++) {
                     const int32_t cell[3] = {middle[0] + x, middle[1] + y, middle[2] + z};
-                    if (is_taken(lsystem, cell, at, from)) {
+                    if (is_taken(lsystem, cell, at, start)) {
                         return true;
                     }
                 }
@@ -184,7 +220,7 @@ static void level(const struct lsystem *lsystem, const struct laplacian_charge *
                   float length, float lift, struct lsystem_turtle *turtle)
 {
     int dimensions = lsystem->def.dimensions;
-    float normal[3], aside[3], heading[3], size = 0;
+    float normal[3], aside[3] = {0}, heading[3], size = 0;
     normal_of(charge, dimensions, from, normal);
     for (int try = 0; try < 2 && size < 1e-3f; try++) {
         const float *way = try == 0 ? turtle->heading : turtle->left;

@@ -44,8 +44,8 @@ struct lsystem {
 float lsystem_load(struct lsystem *lsystem, const float at[3], float slope[3]);
 /* Charges along an internode, up to its node. False when memory is short. */
 bool lsystem_lay_charges(struct lsystem *lsystem, int32_t node);
-/* Whether an internode from `from` would come within the clearance of a branch that was farther from there. */
-bool lsystem_is_blocked(struct lsystem *lsystem, const float from[3], const float to[3]);
+/* Whether an internode from a node would come within the clearance of another branch. */
+bool lsystem_is_blocked(struct lsystem *lsystem, int32_t start, const float to[3]);
 /* Turns to go along surfaces, by no more than it must, and says where `length` cells lead. False: there is no way. */
 bool lsystem_slide(const struct lsystem *lsystem, const float from[3], float length, struct lsystem_turtle *turtle,
                    float to[3]);

@@ -73,6 +73,8 @@ struct scene_type {
 extern const struct scene_type *const scene_types[SCENE_KINDS];
 /* The kind that a verb is for alone, or SCENE_PAINTING. */
 enum scene_kind scene_kind_of(enum action_verb verb);
+/* Whether an action is for scenes of a kind: what is for that kind alone, and what washes, clears and takes back. */
+bool scene_takes(enum scene_kind kind, enum action_verb verb);
 /* 1, or 2 for FIELD_ALONG. */
 int scene_field_channels(enum scene_field field);
 

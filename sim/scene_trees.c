@@ -40,6 +40,12 @@ static void *create(int width, int height)
     return trees;
 }
 
+struct garden *trees_garden(void *scene)
+{
+    struct trees *trees = scene;
+    return trees->garden;
+}
+
 static void resize(void *scene, int width, int height)
 {
     struct trees *trees = scene;

@@ -33,7 +33,7 @@ const struct key scene_feed_keys[] = {
      OF(as),
      .required = true,
      .meaning = "What it becomes: of a painting guide (a vector), mask, coefficient, ink, relief or background, of "
-                "trees picture, of lightning outline, of chemistry style or seeds."},
+                "trees picture, of lightning outline, of chemistry style, seeds or orientation (a vector)."},
     {.name = "reading",
      .type = KEY_CHOICE,
      .unit = "",
@@ -132,6 +132,17 @@ static void read_feed(struct reader *reader, const struct yaml_node *item, int i
 void exhibit_read_feeds(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene)
 {
     inputs_list(reader, item, "inputs", EXHIBIT_FEEDS, "a list of {from: SCENE, of: dark, as: mask}", read_feed, scene);
+}
+
+bool exhibit_is_fed(const struct yaml_node *item, enum graph_port port)
+{
+    const struct yaml_node *list = yaml_get(item, "inputs");
+    bool fed = false;
+    for (const struct yaml_node *one = list && list->kind == YAML_LIST ? list->first : NULL; one; one = one->next) {
+        const struct yaml_node *as = one->kind == YAML_MAPPING ? yaml_get(one, "as") : NULL;
+        fed = fed || (as && as->kind == YAML_SCALAR && strcmp(as->text, graph_port_names[port]) == 0);
+    }
+    return fed;
 }
 
 struct graph exhibit_graph(const struct exhibit *exhibit)
