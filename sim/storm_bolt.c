@@ -12,14 +12,13 @@ enum {
     FLASH_GAP = 24,    /* ticks from one flash to the next: at 60 a second never more than three in any second */
     TICK_COST = 10000, /* of growth: 1000 particles in the plane, with nothing about them */
     COST_PLANE = 10,
-    COST_OFF_GRID = 13,
-    COST_SPACE = 30,
-    CHARGES_FREE = 80, /* charges that make a particle cost twice as much */
+    COST_SPACE = 40,
+    CHARGES_FREE = 120, /* charges that make a particle cost twice as much */
     FEELS_EACH = 8,    /* ticks between which others are felt */
     SHAPED_EACH = 6,   /* ticks between which radii are made anew, at least */
     LEADER_MOST = 400, /* particles a tick that a strike may grow by when its time is short */
 };
-static const float FLASH = 0.3f, FLICKER = 0.12f;
+static const float FLASH = 0.2f, FLICKER = 0.08f;
 
 bool storm_bolt_grows(const struct storm_bolt *bolt)
 {
@@ -119,7 +118,6 @@ static bool take_nodes(struct storm_bolt *bolt)
                                     .parent = parent,
                                     .heaviest = -1,
                                     .tips = 1,
-                                    .steps = before ? before->steps + 1 : 0,
                                     .segment = -1};
         memcpy(node->at, from.at, sizeof node->at);
         memcpy(node->even, from.at, sizeof node->even);
@@ -272,7 +270,6 @@ static int cost_of(const struct storm *storm, const struct storm_bolt *bolt)
     for (int i = 0; i < STORM_HANDS; i++) {
         charges += storm->hands[i].lies;
     }
-    cost = bolt->dimensions == 2 && bolt->kind != BOLT_CITY ? COST_OFF_GRID : cost;
     return cost + cost * charges / CHARGES_FREE;
 }
 

@@ -9,9 +9,10 @@
 #include "storm_state.h"
 
 enum { TWIG = 12, SPAN_MOST = 1 << 21 /* ticks since the origin that floats hold well */ };
-static const float LEADER = 0.4f, SIDE = 0.3f; /* heat of a strike on its way, and beside its channel */
-static const float KEEPS = 0.04f;              /* of a radius, that it may be off by while a bolt grows */
-static const float SIDES_LIFE = 0.4f;          /* of a strike's life: its side branches */
+static const float LEADER = 0.4f, SIDE = 0.42f; /* heat of a strike on its way, and beside its channel */
+static const float BODY = 0.7f;                 /* heat of what has a body */
+static const float KEEPS = 0.04f;               /* of a radius, that it may be off by while a bolt grows */
+static const float SIDES_LIFE = 0.7f;           /* of a strike's life: its side branches */
 
 void storm_touch(struct storm *storm, int segment)
 {
@@ -33,23 +34,6 @@ static void count_tips(struct storm_bolt *bolt)
             int32_t rival = nodes[parent].heaviest;
             nodes[parent].heaviest = rival < 0 || nodes[i].tips >= nodes[rival].tips ? i : rival;
         }
-    }
-}
-
-/* The longest way of what strikes nothing is its channel. */
-static void find_channel(struct storm_bolt *bolt)
-{
-    struct storm_node *nodes = bolt->nodes;
-    int32_t farthest = 0;
-    if (bolt->aims) {
-        return;
-    }
-    for (int32_t i = 0; i < bolt->count; i++) {
-        nodes[i].channel = false;
-        farthest = nodes[i].steps > nodes[farthest].steps ? i : farthest;
-    }
-    for (int32_t i = farthest; i >= 0; i = nodes[i].parent) {
-        nodes[i].channel = true;
     }
 }
 
@@ -76,11 +60,11 @@ void storm_shape(struct storm *storm, struct storm_bolt *bolt)
     struct storm_node *nodes = bolt->nodes;
     float inverse = 1 / (look->pipe > 0.1f ? look->pipe : 0.1f), most = 1;
     count_tips(bolt);
-    find_channel(bolt);
     even_out(bolt);
     for (int32_t i = 0; i < bolt->count; i++) {
         most = (float)nodes[i].tips > most ? (float)nodes[i].tips : most;
     }
+    bolt->most = (int32_t)most;
     if (!bolt->complete) { /* what it will carry */
         most *= (float)bolt->limit / (float)(bolt->count < bolt->limit ? bolt->count : bolt->limit);
     }
@@ -113,13 +97,17 @@ static float death_of(const struct storm *storm, const struct storm_bolt *bolt, 
     return last;
 }
 
+/* Lines are as opaque, bodies as light everywhere; light is brighter where much comes together. */
 static float heat_of(const struct storm_bolt *bolt, const struct storm_node *node)
 {
     if (bolt->aims) {
         return bolt->hit < 0 ? LEADER : node->channel ? 1 : SIDE;
     }
-    float most = (float)bolt->nodes[0].tips, share = (float)node->tips / (most > 1 ? most : 1);
-    return node->channel ? 1 : 0.12f + 0.5f * sqrtf(share < 1 ? share : 1);
+    if (bolt->look.style != BOLT_GLOW) {
+        return bolt->look.style == BOLT_LINE ? 1 : BODY;
+    }
+    float most = (float)bolt->most, share = (float)node->tips / (most > 1 ? most : 1);
+    return 0.2f + 0.8f * sqrtf(share < 1 ? share : 1);
 }
 
 static float leaf_of(const struct storm_bolt *bolt, int32_t i)

@@ -23,9 +23,9 @@ struct storm_node {
     float even[3]; /* where it is drawn: evened out along branches */
     float left;    /* 0..1 that water has left of it */
     float radius;  /* as it is drawn but for thickness and water, cells of the sheet that the bolt began on */
-    int32_t parent, heaviest, tips, steps; /* as of bolt_shape.h */
-    int32_t segment;                       /* -1: none */
-    bool channel;                          /* on the way that struck */
+    int32_t parent, heaviest, tips; /* as of bolt_shape.h */
+    int32_t segment;                /* -1: none */
+    bool channel;                   /* on the way that struck */
 };
 
 struct storm_bolt {
@@ -46,9 +46,10 @@ struct storm_bolt {
     int64_t gone;          /* tick at which it is forgotten, or STORM_AGES */
     int64_t again[STORM_RESTRIKES];
     int agains;
-    int32_t hit; /* the node, or -1 */
-    float due;   /* particles that it may grow by */
-    float whole; /* of radii: what the trunk carries, by the pipe model */
+    int32_t hit;  /* the node, or -1 */
+    float due;    /* particles that it may grow by */
+    float whole;  /* of radii: what the trunk carries, by the pipe model */
+    int32_t most; /* tips that one of its seeds carries */
     int64_t shaped;
 
     struct laplacian *laplacian; /* NULL once it is complete */

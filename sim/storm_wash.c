@@ -4,8 +4,8 @@
 #include "rinse.h"
 #include "storm_state.h"
 
-enum { WASHED = 8, TAKEN_BACK = 14 }; /* ticks that it fades for */
-static const float LAST = 0.05f;      /* of a branch: the rest goes with the water */
+enum { WASHED = 12, TAKEN_BACK = 30 }; /* ticks that it fades for */
+static const float LAST = 0.05f;       /* of a branch: the rest goes with the water */
 
 /* Where it stands on the mask's grid. */
 static int cell_of(const struct storm *storm, const struct storm_bolt *bolt, const struct storm_node *node)

@@ -33,7 +33,7 @@ const struct key scene_feed_keys[] = {
      OF(as),
      .required = true,
      .meaning = "What it becomes: of a painting guide (a vector), mask, coefficient, ink, relief or background, of "
-                "trees picture, of lightning outline, of chemistry style or seeds."},
+                "trees picture, of lightning outline, of chemistry style, seeds or orientation (a vector)."},
     {.name = "reading",
      .type = KEY_CHOICE,
      .unit = "",

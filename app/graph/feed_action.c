@@ -63,6 +63,7 @@ static struct action action_of(const struct exhibit_feed *feed, const struct scr
     switch ((enum graph_port)feed->as) {
     case PORT_GUIDE:
     case PORT_SEEDS:
+    case PORT_ORIENTATION:
         action.strength = feed->strength;
         break;
     case PORT_MASK:

@@ -2,8 +2,9 @@
 
 #include <string.h>
 
-const char *const graph_port_names[PORTS + 1] = {"guide",   "mask",    "coefficient", "ink",   "relief", "background",
-                                                 "picture", "outline", "style",       "seeds", NULL};
+const char *const graph_port_names[PORTS + 1] = {"guide",  "mask",       "coefficient", "ink",
+                                                 "relief", "background", "picture",     "outline",
+                                                 "style",  "seeds",      "orientation", NULL};
 const char *const graph_reading_names[] = {"as it is", "towards dark", "along edges", NULL};
 
 const struct graph_port_type graph_ports[PORTS] = {
@@ -17,6 +18,7 @@ const struct graph_port_type graph_ports[PORTS] = {
     [PORT_OUTLINE] = {SCENE_LIGHTNING, 1, ACTION_STRIKE, "bolts grow from its edges"},
     [PORT_STYLE] = {SCENE_CHEMISTRY, 1, ACTION_STYLE, "chemicals react by its brightness"},
     [PORT_SEEDS] = {SCENE_CHEMISTRY, 1, ACTION_DOSE, "the reaction starts on it"},
+    [PORT_ORIENTATION] = {SCENE_CHEMISTRY, 2, ACTION_GUIDE, "chemicals spread along it"},
 };
 
 int graph_add(struct graph *graph, const char *name, enum scene_kind kind)

@@ -30,6 +30,7 @@ enum graph_port {
     PORT_OUTLINE,     /* of lightning: from whose edges it grows */
     PORT_STYLE,       /* of chemistry: by whose brightness chemicals react */
     PORT_SEEDS,       /* where the reaction starts */
+    PORT_ORIENTATION, /* a field of vectors along which chemicals spread */
     PORTS,
 };
 extern const char *const graph_port_names[PORTS + 1]; /* "guide", ...; ends with NULL */
