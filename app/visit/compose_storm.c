@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-enum { HAND = 1 }; /* a number that nobody else has then */
+enum { HAND = 1, FLASHES = 30, SLOW = 16 }; /* a number that nobody else has then; how many there are at most, about */
 
 static const float BEGIN_S = 1.2f;
 static const float FLASH_S = 4; /* from one strike of lightning to the next, about */
@@ -44,7 +44,7 @@ static void post_kind(const struct stormer *stormer, enum bolt_kind kind, float 
     post(stormer, &action, at_s, -1);
 }
 
-/* A hand comes down, stays for a while and is lifted: what grows turns to it. */
+/* A hand comes down and stays: what grows turns to it. */
 static void post_hand(const struct stormer *stormer, struct point at, float at_s)
 {
     struct action action = action_default(ACTION_ATTRACT);
@@ -52,17 +52,31 @@ static void post_hand(const struct stormer *stormer, struct point at, float at_s
     action.at = at;
     action.has_at = true;
     post(stormer, &action, at_s, 0.3f);
-    action = action_default(ACTION_ATTRACT);
-    action.visitor = HAND;
-    post(stormer, &action, at_s + STAYS_S, -1);
+}
+
+/* Each hand that has come is lifted after a while: when it is known when they come. */
+static void lift_hands(const struct stormer *stormer)
+{
+    struct performance *performance = stormer->performance;
+    int count = performance->count;
+    for (int i = 0; i < count; i++) {
+        const struct action *hand = &performance->steps[i].action;
+        if (hand->verb == ACTION_ATTRACT) {
+            struct action action = action_default(ACTION_ATTRACT);
+            action.visitor = HAND;
+            action.tick = hand->tick + ticks_of(stormer, STAYS_S);
+            action.tick = action.tick < performance->ticks ? action.tick : performance->ticks - 1;
+            performance_add(performance, &action, -1);
+        }
+    }
 }
 
 /* Strikes from clouds that drift: each comes down some way from the last. Now and then two at once. */
 static void compose_flashes(const struct stormer *stormer, float from_s, float to_s)
 {
     struct dice *dice = stormer->dice;
-    float x = dice_between(dice, 0.15f, 0.85f);
-    for (float at = from_s; at < to_s; at += FLASH_S * dice_between(dice, 0.5f, 1.8f)) {
+    float x = dice_between(dice, 0.15f, 0.85f), every = fmaxf(FLASH_S, (to_s - from_s) / FLASHES);
+    for (float at = from_s; at < to_s; at += every * dice_between(dice, 0.5f, 1.8f)) {
         x += dice_between(dice, 0.2f, 0.5f);
         x = x > 0.9f ? x - 0.8f : x;
         post_strike(stormer, (struct point){x, dice_between(dice, 0.55f, 0.95f)}, at);
@@ -77,8 +91,8 @@ static void compose_flashes(const struct stormer *stormer, float from_s, float t
 static void compose_slow(const struct stormer *stormer, float from_s, float to_s)
 {
     struct dice *dice = stormer->dice;
-    float side = dice_chance(dice, 0.5f) ? 0.3f : 0.7f;
-    for (float at = from_s; at < to_s; at += GROW_S * dice_between(dice, 0.8f, 1.3f), side = 1 - side) {
+    float side = dice_chance(dice, 0.5f) ? 0.3f : 0.7f, every = fmaxf(GROW_S, (to_s - from_s) / SLOW);
+    for (float at = from_s; at < to_s; at += every * dice_between(dice, 0.8f, 1.3f), side = 1 - side) {
         float x = side + dice_between(dice, -0.12f, 0.12f);
         post_strike(stormer, (struct point){x, dice_between(dice, 0.72f, 0.86f)}, at);
         if (at + 3 + STAYS_S < to_s && dice_chance(dice, 0.7f)) {
@@ -106,5 +120,6 @@ void compose_storm(struct performance *performance, const struct compose_storm_d
         compose_slow(&stormer, from, end);
     }
     performance_space(performance, (int)ticks_of(&stormer, 0.4f));
+    lift_hands(&stormer);
     performance_sort(performance);
 }
