@@ -64,6 +64,7 @@ static void add_tables(struct example *example)
         {"palettes", "palettes[]"},
         {"scenes", "scenes[]"},
         {"structures", "scenes[].structures[]"},
+        {"scene_inputs", "scenes[].inputs[]"},
         {"seats", "seats[]"},
         {"schedule", "schedule[]"},
         {"touch", "inputs.touch"},

@@ -441,7 +441,7 @@ static void every_row_is_whole(void **state)
             assert_true(section || (key->type == KEY_CHOICE) == (key->choices != NULL));
         }
     }
-    assert_int_equal(tables, 15);
+    assert_int_equal(tables, 16);
 }
 
 static int make_folder(void **state)

@@ -137,6 +137,7 @@ static bool is_only_an_example(const struct example_row *row)
 {
     static const char *const NAMES[][2] = {{"scenes[]", "inks"},
                                            {"scenes[]", "structures"},
+                                           {"scenes[]", "inputs"},
                                            {"", "sessions"},
                                            {"inputs.controllers[].lamps[]", "usage"},
                                            {"inputs.bindings[].rinse", "at"}};
@@ -151,8 +152,8 @@ static bool is_only_an_example(const struct example_row *row)
         named = named || strcmp(row->place, place) == 0 ||
                 (strcmp(row->place, "scenes[]") == 0 && strcmp(key->name, scene_kind_names[kind]) == 0);
     }
-    return named || strncmp(row->place, "scenes[].structures", 19) == 0 || key->type == KEY_INK ||
-           key->type == KEY_PICTURE || key->type == KEY_RASTER ||
+    return named || strncmp(row->place, "scenes[].structures", 19) == 0 ||
+           strncmp(row->place, "scenes[].inputs", 15) == 0 || key->type == KEY_INK || key->type == KEY_PICTURE || key->type == KEY_RASTER ||
            (key->type == KEY_TEXT && strncmp(key->unit, "the path", 8) == 0);
 }
 
