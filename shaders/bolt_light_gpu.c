@@ -14,7 +14,7 @@ _Static_assert(sizeof(struct bolt_segment) == 12 * sizeof(float), "a segment is 
 enum { ATTRIBUTES = 3, FROM_LEVEL = 0, FROM_LIGHT = 1, FROM_BODIES = 2 };
 /* Locations of uniforms, as the shaders have them. */
 enum { AT_TURN, AT_EYE, AT_SCALE, AT_LIFE, AT_LOOK, AT_SIZE };
-enum { AT_PANEL, AT_PANEL_TURN, AT_COLOUR, AT_CORE, AT_GROUND, AT_EXACT };
+enum { AT_PANEL, AT_PANEL_TURN, AT_COLOUR, AT_CORE, AT_GROUND, AT_EXACT, AT_OPACITY };
 
 /* When segments of a block are there, ticks since view->tick. */
 struct block {
@@ -27,7 +27,7 @@ struct bolt_light_gpu {
     unsigned buffer, attributes;
     int count, room; /* segments */
     struct block *blocks;
-    float scale;
+    float scale, opacity;
     struct bolt_targets targets;
     uint64_t uploaded;
 };
@@ -57,7 +57,7 @@ struct bolt_light_gpu *bolt_light_gpu_create(const struct shader_folder *folder,
         shader_fail(error, "memory is short for light");
         return NULL;
     }
-    light->scale = 1;
+    light->scale = light->opacity = 1;
     if (!make_programs(light, folder, error)) {
         bolt_light_gpu_destroy(light);
         return NULL;
@@ -87,6 +87,11 @@ void bolt_light_gpu_destroy(struct bolt_light_gpu *light)
 void bolt_light_gpu_scale(struct bolt_light_gpu *light, float scale)
 {
     light->scale = fminf(fmaxf(scale, 0.25f), 2);
+}
+
+void bolt_light_gpu_opacity(struct bolt_light_gpu *light, float opacity)
+{
+    light->opacity = fminf(fmaxf(opacity, 0), 1);
 }
 
 static GLsizeiptr bytes_of(int segments)
@@ -285,12 +290,12 @@ static void sum_levels(const struct bolt_light_gpu *light)
     }
 }
 
-static void set_blend(const struct bolt_view *view, int style)
+static void set_blend(const struct bolt_view *view, int style, float opacity)
 {
-    if (view->clear) {
+    if (view->clear || opacity < 1) {
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
-        glBlendFunc(GL_ONE, style == BOLT_GLOW ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
+        glBlendFunc(GL_ONE, view->clear && style == BOLT_GLOW ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
     }
 }
 
@@ -301,7 +306,7 @@ static void paint(const struct bolt_light_gpu *light, const struct bolt_view *vi
     const struct bolt_look *look = &view->look;
     /* What is not halved is made smooth by samples half a pixel aside. */
     float aside = targets->style == BOLT_BODY && exact ? 0.5f : 0;
-    set_blend(view, targets->style);
+    set_blend(view, targets->style, light->opacity);
     glUseProgram(light->paint[targets->style]);
     glUniform2i(AT_PANEL, panel_width, panel_height);
     glUniformMatrix2fv(AT_PANEL_TURN, 1, GL_FALSE, turn);
@@ -309,6 +314,7 @@ static void paint(const struct bolt_light_gpu *light, const struct bolt_view *vi
     glUniform4f(AT_CORE, look->core[0], look->core[1], look->core[2], fminf(fmaxf(view->flash, 0), 1));
     glUniform4f(AT_GROUND, look->ground[0], look->ground[1], look->ground[2], aside);
     glUniform1i(AT_EXACT, exact);
+    glUniform1f(AT_OPACITY, light->opacity);
     take(0, targets->samples.texture);
     take(1, targets->depths);
     take(2, targets->levels > 0 ? targets->sum[1].texture : 0);

@@ -7,6 +7,7 @@ layout(location = 2) uniform vec4 colour; // linear; 1: no ground
 layout(location = 3) uniform vec4 core;   // linear; flash
 layout(location = 4) uniform vec4 ground; // linear; samples that all is shifted by, to be smooth
 layout(location = 5) uniform bool exact;  // a sample is a pixel
+layout(location = 6) uniform float opacity;
 
 layout(binding = 0) uniform sampler2D samples;
 layout(binding = 1) uniform sampler2D depths;
@@ -106,7 +107,7 @@ void main()
     vec3 tint = mix(colour.rgb, core.rgb, clamp(1.6 * own.x - 0.2, 0.0, 1.0));
     vec3 light = shoulder(5.0 * own.x * tint + halo * (11.0 * colour.rgb + 8.0 * halo * core.rgb));
     vec3 over = encoded(1.0 - (1.0 - (clear ? vec3(0.0) : clamp(ground.rgb, 0.0, 1.0))) * (1.0 - light));
-    result = vec4(over + flash * (1.0 - over), 1.0); // a screen, where there is no ground
+    result = opacity * vec4(over + flash * (1.0 - over), 1.0); // a screen, where there is no ground
     return;
 #else
     float within = own.x > 0.0 ? clamp(own.y / own.x, 0.0, 1.0) : 0.0;
@@ -117,6 +118,6 @@ void main()
     if (!clear) {
         own = vec4(own.rgb + (1.0 - own.a) * encoded(ground.rgb), 1.0);
     }
-    result = vec4(own.rgb + flash * (1.0 - own.rgb), own.a + flash * (1.0 - own.a));
+    result = opacity * vec4(own.rgb + flash * (1.0 - own.rgb), own.a + flash * (1.0 - own.a));
 #endif
 }

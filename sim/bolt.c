@@ -69,11 +69,11 @@ struct growing {
 static const struct growing GROWINGS[BOLT_KINDS] = {
     [BOLT_LIGHTNING] = {2, 14000, 380, 7, -1, 0.9f, 0, true},
     [BOLT_TESLA] = {2, 16000, 420, 5.5f, -1, 0.9f, 0.5f, true},
-    [BOLT_TREE] = {3, 16000, 80, 6, -1, 0.9f, 0, true},
+    [BOLT_TREE] = {3, 13000, 80, 6.5f, -1, 0.9f, 0, true},
     [BOLT_LICHEN] = {2, 22000, 230, 2, -1, 0.9f, 0, true},
-    [BOLT_CORAL] = {3, 2200, 52, 8, -1, 0.9f, 0, true},
+    [BOLT_CORAL] = {3, 2400, 46, 9, -1, 0.9f, 0, true},
     [BOLT_RIVER] = {2, 14000, 210, 5, -1, 0.9f, 0, true},
-    [BOLT_SNOW] = {2, 9000, 330, 2.5f, -1, 0.9f, 0, true},
+    [BOLT_SNOW] = {2, 16000, 360, 2, -1, 0.9f, 0, true},
     [BOLT_FRACTURE] = {2, 1900, 260, 6, -1, 0.9f, 0, true},
     [BOLT_VESSELS] = {2, 20000, 300, 4, -1, 0.9f, 0, true},
     [BOLT_CITY] = {2, 7000, 110, 1.2f, -1, 0, 0, false},
@@ -87,11 +87,11 @@ static const struct bolt_look LOOKS[BOLT_KINDS] = {
         {BOLT_GLOW, 0.0042f, 0.0005f, 2.6f, {0.28f, 0.36f, 1}, {1, 0.97f, 1}, {0.004f, 0.005f, 0.016f}, 0, 45, 0},
     [BOLT_TESLA] = {BOLT_GLOW, 0.004f, 0.0005f, 3, {0.42f, 0.2f, 1}, {1, 0.94f, 1}, {0.005f, 0.003f, 0.012f}, 0, 20, 0},
     [BOLT_TREE] =
-        {BOLT_BODY, 0.02f, 0.001f, 2.1f, {0.1f, 0.055f, 0.03f}, {0.16f, 0.3f, 0.05f}, {0.72f, 0.8f, 0.86f}, 5, 0, 3},
+        {BOLT_BODY, 0.02f, 0.0007f, 2.1f, {0.07f, 0.04f, 0.024f}, {0.13f, 0.26f, 0.03f}, {0.6f, 0.7f, 0.78f}, 5, 0, 3},
     [BOLT_LICHEN] =
-        {BOLT_BODY, 0.007f, 0.0045f, 3, {0.36f, 0.42f, 0.17f}, {0.62f, 0.66f, 0.36f}, {0.07f, 0.066f, 0.064f}, 0, 0, 1},
+        {BOLT_BODY, 0.0075f, 0.0042f, 3, {0.3f, 0.33f, 0.1f}, {0.6f, 0.6f, 0.27f}, {0.075f, 0.066f, 0.06f}, 0, 0, 1},
     [BOLT_CORAL] =
-        {BOLT_BODY, 0.026f, 0.008f, 3, {0.78f, 0.13f, 0.07f}, {1, 0.5f, 0.33f}, {0.006f, 0.05f, 0.085f}, 0, 0, 4},
+        {BOLT_BODY, 0.022f, 0.0075f, 3, {0.8f, 0.1f, 0.06f}, {1, 0.36f, 0.22f}, {0.004f, 0.035f, 0.06f}, 0, 0, 4},
     [BOLT_RIVER] = {BOLT_LINE,
                     0.018f,
                     0.0011f,
@@ -102,7 +102,7 @@ static const struct bolt_look LOOKS[BOLT_KINDS] = {
                     0,
                     0,
                     9},
-    [BOLT_SNOW] = {BOLT_LINE, 0.012f, 0.0022f, 4, {0.85f, 0.93f, 1}, {1, 1, 1}, {0.02f, 0.05f, 0.12f}, 0, 0, 2},
+    [BOLT_SNOW] = {BOLT_LINE, 0.0085f, 0.0017f, 3.5f, {0.6f, 0.8f, 0.97f}, {1, 1, 1}, {0.012f, 0.035f, 0.1f}, 0, 0, 2},
     [BOLT_FRACTURE] =
         {BOLT_LINE, 0.0032f, 0.0007f, 3, {0.62f, 0.78f, 0.82f}, {1, 1, 1}, {0.018f, 0.03f, 0.036f}, 0, 0, 0},
     [BOLT_VESSELS] =
@@ -206,12 +206,12 @@ static void set_tree(struct bolt *bolt, const struct room *room)
     add_seed(bolt, 0, fork, -0.4f * lean, top);
     for (int i = 0; i < BOUGHS; i++) {
         float share = (float)i / BOUGHS, from[3] = {-0.4f * lean * share, fork + share * (top - fork), 0};
-        add_bough(bolt, from, (0.27f - 0.1f * share) * room->side, 0.9f - 0.3f * share, 0.45f + 0.55f * share,
+        add_bough(bolt, from, (0.27f - 0.1f * share) * room->side, 1.0f - 0.4f * share, 0.4f + 0.6f * share,
                   0.382f * (float)i + 0.05f * chance(i, 4));
     }
-    add_charge(bolt, LAPLACIAN_PLANE, -3000, 0, 0.97f * room->y);
+    add_charge(bolt, LAPLACIAN_PLANE, -9000, 0, 0.97f * room->y);
     for (int i = 0; i < 8; i++) {
-        add_charge(bolt, LAPLACIAN_POINT, -500, 0, foot + (fork - foot) * (float)i / 8);
+        add_charge(bolt, LAPLACIAN_POINT, -1500, 0, foot + (fork - foot) * (float)i / 8);
     }
 }
 
@@ -228,7 +228,7 @@ static void set_coral(struct bolt *bolt, const struct room *room)
     enum { BOUGHS = 7 };
     const float from[3] = {0, 0.84f * room->y, 0};
     for (int i = 0; i < BOUGHS; i++) {
-        add_bough(bolt, from, (0.22f + 0.12f * chance(i, 5)) * room->side, i == 0 ? 0.1f : 0.8f,
+        add_bough(bolt, from, (0.2f + 0.16f * chance(i, 5)) * room->side, i == 0 ? 0.1f : 0.75f,
                   0.7f + 0.4f * chance(i, 6), 0.1667f * (float)i + 0.1f * chance(i, 4));
     }
     add_charge(bolt, LAPLACIAN_PLANE, -1500, 0, 0.95f * room->y);

@@ -171,7 +171,7 @@ float bolt_shape_leaf(const struct bolt_shape *shape, int32_t node, const struct
         return 0;
     }
     bool bears = random_unit(node, 0, 7, RANDOM_PLACE) * look->leaves < 1;
-    return bears ? (3 + 2 * random_unit(node, 1, 7, RANDOM_PLACE)) * look->tip : 0;
+    return bears ? (7 + 4 * random_unit(node, 1, 7, RANDOM_PLACE)) * look->tip : 0;
 }
 
 struct bolt_segment *bolt_shape_segments(const struct bolt_shape *shape, const struct bolt_look *look, float pace,

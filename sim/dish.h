@@ -70,6 +70,8 @@ struct dish_view {
     struct torus_def torus;
 };
 struct dish_view dish_view(const struct dish *dish, int64_t tick);
+/* Lays it over width * height * 3 bytes of sRGB. False when memory is short. */
+bool dish_view_lay(const struct dish_view *view, int width, int height, uint8_t *rgb);
 
 extern const struct scene_type dish_type;
 

@@ -122,10 +122,10 @@ void dish_clear(struct dish *dish)
 {
     gray_scott_fill(dish->chemistry, 1, 0);
     memset(dish->seen, 0, dish_cells(dish) * sizeof *dish->seen);
+    dish->combed = dish->combed || dish->along;
     free(dish->dry);
     free(dish->along);
     dish->dry = dish->along = NULL;
-    dish->combed = true;
     dish->all_dry = dish->owed = 0;
     dish->fresh = true;
     dish->starts = false;

@@ -75,19 +75,25 @@ static float *decode(int width, int height, const uint8_t *rgb)
     return texture;
 }
 
-bool dish_lay(struct dish *dish, int64_t tick, int width, int height, uint8_t *rgb)
+bool dish_view_lay(const struct dish_view *view, int width, int height, uint8_t *rgb)
 {
-    struct dish_view view = dish_view(dish, tick);
-    float *under = view.clear ? decode(width, height, rgb) : NULL;
-    bool good = under || !view.clear;
-    view.shade.texture = under;
-    view.shade.texture_width = width;
-    view.shade.texture_height = height;
-    if (good && view.is_torus) {
-        good = gray_scott_torus(&view.pattern, &view.shade, &view.torus, width, height, rgb);
+    struct gray_scott_shade_def shade = view->shade;
+    float *under = view->clear ? decode(width, height, rgb) : NULL;
+    bool good = under || !view->clear;
+    shade.texture = under;
+    shade.texture_width = width;
+    shade.texture_height = height;
+    if (good && view->is_torus) {
+        good = gray_scott_torus(&view->pattern, &shade, &view->torus, width, height, rgb);
     } else if (good) {
-        gray_scott_shade(&view.pattern, &view.shade, width, height, rgb);
+        gray_scott_shade(&view->pattern, &shade, width, height, rgb);
     }
     free(under);
     return good;
+}
+
+bool dish_lay(struct dish *dish, int64_t tick, int width, int height, uint8_t *rgb)
+{
+    struct dish_view view = dish_view(dish, tick);
+    return dish_view_lay(&view, width, height, rgb);
 }

@@ -154,7 +154,7 @@ static bool write_grey16(const char *path, const uint8_t *rows, int width, int h
     bolt_text_bytes(&text, SIGNATURE, sizeof SIGNATURE);
     put_chunk(&text, "IHDR", header, sizeof header);
     put_chunk(&text, "IDAT", bytes, packed);
-    put_chunk(&text, "IEND", NULL, 0);
+    put_chunk(&text, "IEND", SIGNATURE, 0);
     free(bytes);
     return bolt_text_write(&text, path, error);
 }

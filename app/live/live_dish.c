@@ -1,7 +1,5 @@
 #include "live_dish.h"
 
-#include <stdlib.h>
-
 #include "bench.h"
 
 static void finish(struct live_drawer *drawer)
@@ -93,12 +91,9 @@ static void reveal(const struct live_drawer *drawer, const struct live_scene_she
                    int height)
 {
     const struct live_dish *dish = (const struct live_dish *)drawer;
-    const struct dish_view *view = dish->shown ? &dish->newest->dish : NULL;
     (void)sheet;
-    if (view && view->is_torus) {
-        gray_scott_torus(&view->pattern, &view->shade, &view->torus, width, height, rgb);
-    } else if (view) {
-        gray_scott_shade(&view->pattern, &view->shade, width, height, rgb);
+    if (dish->shown) {
+        dish_view_lay(&dish->newest->dish, width, height, rgb);
     }
 }
 

@@ -6,9 +6,11 @@ void live_scene_draw_init(struct live_scene_draw *draw, struct live_scene *scene
 {
     *draw = (struct live_scene_draw){.scene = scene};
     live_dish_init(&draw->dish, scene, folder);
+    live_bolts_init(&draw->bolts, scene, folder);
     live_plate_init(&draw->plate, scene, folder);
     draw->drawers[0] = &draw->dish.drawer;
-    draw->drawers[1] = &draw->plate.drawer;
+    draw->drawers[1] = &draw->bolts.drawer;
+    draw->drawers[2] = &draw->plate.drawer;
 }
 
 void live_scene_draw_finish(struct live_scene_draw *draw)

@@ -3,14 +3,16 @@
 #ifndef FROND_LIVE_SCENE_DRAW_H
 #define FROND_LIVE_SCENE_DRAW_H
 
+#include "live_bolts.h"
 #include "live_dish.h"
 #include "live_plate.h"
 
-enum { LIVE_DRAWERS = 2 };
+enum { LIVE_DRAWERS = 3 };
 
 struct live_scene_draw {
     struct live_scene *scene; /* NULL: none, and all of this does nothing */
     struct live_dish dish;
+    struct live_bolts bolts;
     struct live_plate plate;
     struct live_drawer *drawers[LIVE_DRAWERS]; /* those, what lies below first */
     int sheet;                                 /* that is shown */

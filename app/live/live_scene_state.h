@@ -54,9 +54,9 @@ struct live_script {
 struct live_store {
     struct bolt_segment *segments;
     int segment_room, stale; /* segments from `stale` on are not as in the newest view */
-    float *pattern, *texture;
-    size_t pattern_room, texture_room; /* floats */
-    uint64_t look;                     /* of `texture` */
+    float *pattern;
+    size_t pattern_room; /* floats */
+    struct gradient_stop *stops;
 };
 
 struct live_scene {

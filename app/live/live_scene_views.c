@@ -7,7 +7,7 @@ void live_store_finish(struct live_store *store)
 {
     free(store->segments);
     free(store->pattern);
-    free(store->texture);
+    free(store->stops);
     *store = (struct live_store){.segments = NULL};
 }
 
@@ -57,35 +57,30 @@ static void look_at_storm(struct live_scene *live, struct live_view *view, struc
     for (int i = 0; i < LIVE_VIEWS; i++) {
         live->stores[i].stale = since < live->stores[i].stale ? since : live->stores[i].stale;
     }
-    view->any = copy_segments(store, &view->bolts) && (view->bolts.count > 0 || !view->bolts.clear);
+    view->any = copy_segments(store, &view->bolts);
     view->calm = storm_is_calm(storm, live->last_tick);
     view->since = since;
     view->bolts.segments = store->segments;
 }
 
+/* A gradient that is the dish's own is another only after something was done. */
 static bool same_look(const struct gray_scott_shade_def *a, const struct gray_scott_shade_def *b)
 {
     return a->gradient.stops == b->gradient.stops && a->gradient.count == b->gradient.count &&
            memcmp(&a->low, &b->low, sizeof a->low) == 0 && memcmp(&a->high, &b->high, sizeof a->high) == 0 &&
-           a->texture == b->texture && a->texture_width == b->texture_width && a->texture_height == b->texture_height &&
            memcmp(&a->relief, &b->relief, sizeof a->relief) == 0 && memcmp(a->light, b->light, sizeof a->light) == 0;
 }
 
-static bool copy_texture(struct live_scene *live, struct live_store *store, struct gray_scott_shade_def *shade)
+/* The gradient may be the dish's own, and the display shows it later. */
+static bool copy_gradient(struct live_store *store, struct gradient *gradient)
 {
-    size_t count = 3 * (size_t)shade->texture_width * (size_t)shade->texture_height;
-    if (!shade->texture) {
-        return true;
+    size_t size = (size_t)gradient->count * sizeof *gradient->stops;
+    struct gradient_stop *stops = realloc(store->stops, size);
+    if (stops) {
+        store->stops = memcpy(stops, gradient->stops, size);
+        gradient->stops = stops;
     }
-    if (store->look != live->looks || store->texture_room < count) {
-        if (!make_room(&store->texture, &store->texture_room, count)) {
-            return false;
-        }
-        memcpy(store->texture, shade->texture, count * sizeof *store->texture);
-        store->look = live->looks;
-    }
-    shade->texture = store->texture;
-    return true;
+    return stops;
 }
 
 static void look_at_dish(struct live_scene *live, struct live_view *view, struct live_store *store)
@@ -96,8 +91,9 @@ static void look_at_dish(struct live_scene *live, struct live_view *view, struct
     live->looks += !same_look(&live->look, &view->dish.shade);
     live->look = view->dish.shade;
     view->look = live->looks;
+    view->calm = dish_is_calm(live->scene);
     view->any = pattern->v && make_room(&store->pattern, &store->pattern_room, cells) &&
-                copy_texture(live, store, &view->dish.shade);
+                copy_gradient(store, &view->dish.shade.gradient);
     if (view->any) {
         memcpy(store->pattern, pattern->v, cells * sizeof *store->pattern);
         pattern->v = store->pattern;
@@ -117,7 +113,6 @@ void live_scene_look(struct live_scene *live)
     if (live->scene && live->kind == SCENE_LIGHTNING) {
         look_at_storm(live, view, store);
     } else if (live->scene && live->kind == SCENE_CHEMISTRY) {
-        view->calm = false;
         look_at_dish(live, view, store);
     } else {
         live_store_finish(store);

@@ -38,7 +38,7 @@ void hud_icon_strike(const struct pen *pen, const struct hud_icon_style *style)
         for (int i = 0; i < 3; i++) {
             disc(pen, PUFFS[i][0], PUFFS[i][1], PUFFS[i][2] - less);
         }
-        cairo_rectangle(pen->cairo, -0.5, -0.5 + less, 0.95, 0.46 - 2 * less);
+        cairo_rectangle(pen->cairo, -0.48, -0.46, 0.9, 0.4 - less);
         cairo_fill(pen->cairo);
     }
     flash(pen, style, -0.04, -0.26, 1.2);
@@ -65,7 +65,7 @@ void hud_icon_repel(const struct pen *pen, const struct hud_icon_style *style)
 /* A painted line with charges on it. */
 void hud_icon_stroke(const struct pen *pen, const struct hud_icon_style *style)
 {
-    static const double CHARGES[][2] = {{-0.5, -0.34}, {0.02, -0.06}, {0.34, 0.64}};
+    static const double CHARGES[][2] = {{-0.56, -0.3}, {-0.16, 0.84}, {0.62, 0.42}};
     wet(pen, style);
     BRUSH(pen, 0.1, 0.34, 0.14, {-0.92, 0.5}, {-0.5, 0.14}, {0, 0.4}, {0.46, 0.2}, {0.62, -0.34}, {0.92, -0.6});
     line(pen, style);

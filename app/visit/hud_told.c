@@ -27,7 +27,7 @@ float hud_told_opacity(const struct hud *hud, uint64_t now_us)
 
 void hud_tell(struct hud *hud, const struct key *key, float value, uint64_t now_us)
 {
-    bool shown = hud_told_opacity(hud, now_us) > 0;
+    bool shown = hud->told_count > 0 && seconds_since(hud->told_us, now_us) < STAYS + GOES;
     int at = 0;
     if (!shown) {
         hud->told_count = 0;

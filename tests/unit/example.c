@@ -279,10 +279,9 @@ static bool is_option(const struct example_row *row)
     return false;
 }
 
-static void write_option(FILE *file, const struct key *key, int column)
+/* A key as it is by default. */
+static void write_default(FILE *file, const struct key *key, int column)
 {
-    fputc('\n', file);
-    write_comment(file, key, column);
     if (key->type == KEY_FLAG) {
         fprintf(file, "%*s#%s: %s\n", column, "", key->name, key->initial != 0 ? "true" : "false");
     } else if (key->type == KEY_CHOICE) {
@@ -295,6 +294,7 @@ static void write_option(FILE *file, const struct key *key, int column)
 /* Options that stand nowhere yet, where the last of their place stands, or its section. */
 static void write_missing(FILE *file, const struct example *example, int line)
 {
+    const char *gap = example->kinds[line].value && *example->kinds[line].value ? "\n" : "";
     for (int i = 0; i < example->row_count; i++) {
         const struct example_row *row = &example->rows[i];
         int last = -1, column = 6;
@@ -309,7 +309,10 @@ static void write_missing(FILE *file, const struct example *example, int line)
             }
         }
         if (last == line) {
-            write_option(file, &row->key, column);
+            fputs(gap, file);
+            gap = "\n";
+            write_comment(file, &row->key, column);
+            write_default(file, &row->key, column);
         }
     }
 }
@@ -334,10 +337,13 @@ void example_write(const struct example *example, const char *path)
             }
             write_comment(file, &example->rows[row].key, column);
         }
-        if (!skip[i]) {
+        bool option = row >= 0 && example->kinds[i].commented && is_option(&example->rows[row]);
+        if (option) {
+            write_default(file, &example->rows[row].key, column);
+        } else if (!skip[i]) {
             fprintf(file, "%s\n", example->lines[i]);
-            before = example->lines[i];
         }
+        before = skip[i] ? before : example->lines[i];
         write_missing(file, example, i);
     }
     fclose(file);

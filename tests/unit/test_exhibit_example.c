@@ -153,8 +153,8 @@ static bool is_only_an_example(const struct example_row *row)
                 (strcmp(row->place, "scenes[]") == 0 && strcmp(key->name, scene_kind_names[kind]) == 0);
     }
     return named || strncmp(row->place, "scenes[].structures", 19) == 0 ||
-           strncmp(row->place, "scenes[].inputs", 15) == 0 || key->type == KEY_INK || key->type == KEY_PICTURE || key->type == KEY_RASTER ||
-           (key->type == KEY_TEXT && strncmp(key->unit, "the path", 8) == 0);
+           strncmp(row->place, "scenes[].inputs", 15) == 0 || key->type == KEY_INK || key->type == KEY_PICTURE ||
+           key->type == KEY_RASTER || (key->type == KEY_TEXT && strncmp(key->unit, "the path", 8) == 0);
 }
 
 /* Everything can be tried by taking its # away. */

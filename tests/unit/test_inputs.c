@@ -100,7 +100,7 @@ static const struct script_case BAD[] = {
      "s.yaml:3:51: bindings[0].turn.growth: a coefficient is given too; one of the two\n"},
     {"turn of two scenes",
      BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {chemistry: feed, lightning: eta, from: 0, to: 0.1}}\n"),
-     "s.yaml:3:39: bindings[0].turn.chemistry: an option: lightning is given too; one of the two\n"},
+     "s.yaml:3:34: bindings[0].turn.chemistry: an option: lightning is given too; one of the two\n"},
     {"turn of lightning too far",
      BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {lightning: eta, from: 0, to: 50}}\n"),
      "s.yaml:3:52: bindings[0].turn.to: 50 is out of range; 0 to 20\n"},
@@ -129,7 +129,7 @@ static const struct script_case BAD[] = {
      "s.yaml:3:31: bindings[0].draw.path: a path of 9 points; at most 8 in a binding\n"},
     {"a tool", BYTES("inputs: 1\nbindings:\n  - {touch: tap, tool: musk, drop: {}}\n"),
      "s.yaml:3:24: bindings[0].tool: unknown choice 'musk'; did you mean mask? One of drop, brush, guide, pour, mask, "
-     "rewind, plant, tend, thin\n"},
+     "rewind, plant, tend, thin, strike, repel, stroke, dose, erase, map\n"},
     {"a tool of no finger", BYTES("inputs: 1\nbindings:\n  - {usage: Button 1, tool: brush, drop: {}}\n"),
      "s.yaml:3:29: bindings[0].tool: goes with touch, not with usage; fingers have tools\n"},
     {"a tool of a key without its keyboard", BYTES("inputs: 1\nbindings:\n  - {key: F9, tool: brush, finish: {}}\n"),
@@ -137,7 +137,7 @@ static const struct script_case BAD[] = {
      "s.yaml:3:21: bindings[0].tool: goes with touch, not with key; fingers have tools\n"},
     {"a tool that is a list", BYTES("inputs: 1\nbindings:\n  - {touch: tap, tool: [brush, guide], drop: {}}\n"),
      "s.yaml:3:24: bindings[0].tool: a list where a name should be; one of drop, brush, guide, pour, mask, rewind, "
-     "plant, tend, thin\n"},
+     "plant, tend, thin, strike, repel, stroke, dose, erase, map\n"},
     {"a switch that is dragged", BYTES("inputs: 1\nbindings:\n  - {touch: drag, switch: {}}\n"),
      "s.yaml:3:27: bindings[0].switch: goes down and comes up; touch: press, a usage, a button or a key\n"},
     {"a switch that is tapped", BYTES("inputs: 1\nbindings:\n  - {touch: tap, switch: {}}\n"),

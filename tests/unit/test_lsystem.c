@@ -147,8 +147,10 @@ static void attractors_bend_and_repulsors_turn_away(void **state)
             double x[4]; /* repelled, nothing, attracted, attracted more */
             static const float BY[4] = {-600, 0, 600, 6000};
             for (int i = 0; i < 4; i++) {
-                struct laplacian_charge charge = {
-                    .shape = SHAPES[shape], .charge = BY[i], .at = {110, -40}, .along = {shape == 2, shape != 2}};
+                struct laplacian_charge charge = {.shape = SHAPES[shape],
+                                                  .charge = BY[i],
+                                                  .at = {110, -40},
+                                                  .along = {shape == 2 ? 1.0f : 0, shape == 2 ? 0 : 1.0f}};
                 struct lsystem_def def = plain(dimensions);
                 charge.charge *= shape == 0 ? 1 : 0.1f;
                 def.tropism = 15;
@@ -169,7 +171,7 @@ static void buds_break_where_the_potential_is_high(void **state)
     (void)state;
     static float sky[32 * 16];
     for (int i = 0; i < 32 * 16; i++) {
-        sky[i] = i % 32 < 4 || i % 32 >= 28; /* from +x */
+        sky[i] = i % 32 < 4 || i % 32 >= 28 ? 1 : 0; /* from +x */
     }
     double x[2] = {0};
     for (int seed = 1; seed <= 8; seed++) {
@@ -183,7 +185,7 @@ static void buds_break_where_the_potential_is_high(void **state)
             def.eta = 3;
             def.environment_radius = 200;
             def.environment = (struct action_raster){light ? sky : NULL, 32, 16, 1};
-            x[light] += mean_x(&def) / 8;
+            x[light] += 0.125 * mean_x(&def);
         }
     }
     print_message("mean of x: %.2f in the dark, %.2f with light from the right\n", x[0], x[1]);
@@ -199,7 +201,7 @@ static void measure_surfaces(const struct lsystem *plant, float least[3])
         float along = (0.2f * (node.at[0] + 40) + node.at[1]) / sqrtf(1.04f);
         float x = node.at[0] + 40 - 0.2f * along / sqrtf(1.04f), y = node.at[1] - along / sqrtf(1.04f);
         least[1] = fminf(least[1], sqrtf(x * x + y * y + node.at[2] * node.at[2]) - 12);
-        float part = fmaxf(0, fminf(1, (30 * (node.at[0] - 20) + 40 * (node.at[1] + 40)) / 2500));
+        float part = fmaxf(0, fminf(1, 0.012f * (node.at[0] - 20) + 0.016f * (node.at[1] + 40)));
         x = node.at[0] - 20 - 30 * part;
         y = node.at[1] + 40 - 40 * part;
         least[2] = fminf(least[2], sqrtf(x * x + y * y + node.at[2] * node.at[2]));
