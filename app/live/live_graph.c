@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "feed.h"
+#include "feed_action.h"
 #include "feeder.h"
 #include "hand.h"
 

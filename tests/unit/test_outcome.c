@@ -15,8 +15,9 @@
 #include <unistd.h>
 
 #include "along.h"
-#include "feed.h"
+#include "feed_action.h"
 #include "feeder.h"
+#include "hand.h"
 #include "outcome.h"
 #include "script.h"
 
@@ -252,6 +253,35 @@ static void scenes_are_fed(void **state)
     report_finish(&report);
 }
 
+/* What stands out is dark, on paper as in the night; where nothing does, nothing comes of it. */
+static void pictures_are_handed_over(void **state)
+{
+    (void)state;
+    enum { WIDE = 960, HIGH = 480 };
+    uint8_t *rgb = malloc(3 * WIDE * HIGH);
+    struct outcome outcome;
+    assert_non_null(rgb);
+    for (int night = 0; night < 2; night++) {
+        for (int i = 0; i < WIDE * HIGH; i++) {
+            bool line = i / WIDE >= 230 && i / WIDE < 250 && i % WIDE >= 300;
+            memset(rgb + (size_t)i * 3, (line ? 20 : 240) * (1 - night) + (line ? 230 : 10) * night, 3);
+        }
+        assert_true(hand_picture(&outcome, rgb, WIDE, HIGH));
+        assert_int_equal(outcome.width, HAND_SIDE);
+        assert_int_equal(outcome.height, HAND_SIDE / 2);
+        int on = 120 * HAND_SIDE + 300, cells = outcome.width * outcome.height;
+        assert_true(outcome.fields[FIELD_DARK][on] < 0.01f && outcome.fields[FIELD_DARK][0] > 0.99f);
+        assert_true(fabsf(outcome.fields[FIELD_ALONG][on]) > 0.7f);
+        assert_true(fabsf(outcome.fields[FIELD_ALONG][cells + on]) < 0.1f);
+        assert_true(outcome.fields[FIELD_AROUND][on - 16 * HAND_SIDE] < 0.99f);
+        outcome_finish(&outcome);
+    }
+    memset(rgb, 200, 3 * WIDE * HIGH);
+    assert_false(hand_picture(&outcome, rgb, WIDE, HIGH));
+    assert_null(outcome.fields[FIELD_DARK]);
+    free(rgb);
+}
+
 /* One that is told to stop says so, and keeps nothing. */
 static void growing_can_be_stopped(void **state)
 {
@@ -274,6 +304,7 @@ int main(void)
         cmocka_unit_test(patterns_have_directions), cmocka_unit_test(births_have_directions),
         cmocka_unit_test(scripts_take_sessions),    cmocka_unit_test(bad_sessions_are_told),
         cmocka_unit_test(scenes_are_fed),           cmocka_unit_test(growing_can_be_stopped),
+        cmocka_unit_test(pictures_are_handed_over),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
