@@ -85,7 +85,7 @@ static float distance_of(const struct laplacian_charge *charge, const float *at,
     switch (charge->shape) {
     case LAPLACIAN_POINT:
         aside = sqrtf(squared_distance(at, charge->at, dimensions));
-        *green = point_green(aside, dimensions);
+        *green = point_green(aside > charge->radius ? aside : charge->radius, dimensions);
         return aside;
     case LAPLACIAN_PLANE:
         split(charge, at, dimensions, &along, &aside);
@@ -152,7 +152,9 @@ float laplacian_charge_distance(const struct laplacian_charge *charge, int dimen
 
 float laplacian_static_load(const struct laplacian *laplacian, const float *at)
 {
-    return laplacian_charges_load(laplacian->charges, laplacian->def.charge_count, laplacian->def.dimensions, at);
+    const struct laplacian_def *def = &laplacian->def;
+    float load = laplacian_charges_load(laplacian->charges, def->charge_count, def->dimensions, at);
+    return def->background.values ? load + laplacian_raster(laplacian, &def->background, at) : load;
 }
 
 bool laplacian_touches(const struct laplacian *laplacian, const float *at)
