@@ -49,7 +49,7 @@ bool bolt_order_run(struct bolt_order *order, struct file_error *error);
 /* What has grown, for those who write it. */
 struct bolt_result {
     const struct bolt_order *order;
-    struct laplacian *laplacian; /* of a plant: the charges along it */
+    struct laplacian *laplacian; /* of a plant: the charges along it, where they are asked for */
     struct lsystem *plant;       /* or NULL */
     struct bolt_shape shape;
     double seconds; /* that it took to grow */

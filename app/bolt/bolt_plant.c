@@ -97,7 +97,8 @@ bool bolt_plant_grow(struct bolt_result *result, struct file_error *error)
         progress_step(&progress, i, def.steps);
     }
     progress_end(&progress);
-    return (lsystem_status(result->plant) != LSYSTEM_NO_MEMORY && lay_charges(result, &def)) ||
+    bool asked = order->potential || order->height_field || order->stats;
+    return (lsystem_status(result->plant) != LSYSTEM_NO_MEMORY && (!asked || lay_charges(result, &def))) ||
            file_fail(error, name, "memory is short, after %d nodes", lsystem_count(result->plant));
 }
 

@@ -171,9 +171,10 @@ bool bolt_write_stats(const struct bolt_result *result, const char *path, struct
     json_object_object_add(object, "longest_way", json_object_new_int(result->shape.longest));
     json_object_object_add(object, "width", json_object_new_int(order->width));
     json_object_object_add(object, "height", json_object_new_int(order->height));
-    add_keys(parameters, laplacian_keys, &order->bolt.growth);
-    if (result->plant) { /* of both, the plant's */
+    if (result->plant) {
         add_keys(parameters, lsystem_keys, &order->plant.growth);
+    } else {
+        add_keys(parameters, laplacian_keys, &order->bolt.growth);
     }
     add_keys(parameters, bolt_look_keys, &order->bolt.look);
     for (int i = 0; i < BOLT_PICTURES; i++) {
