@@ -198,10 +198,13 @@ static void take_picture(struct bolt_order *order, const char *name, const char 
 /* One value into its field. Of a plant, what both tables have is the plant's. */
 static bool take_value(struct bolt_order *order, const struct row *row, const char *text)
 {
-    const struct key *own = order->lsystem > 0 ? key_find(lsystem_keys, row->key->name) : NULL;
-    bool shared = own && row->offset == offsetof(struct bolt_order, bolt.growth);
-    const struct key *key = shared ? own : row->key;
-    void *field = (char *)order + (shared ? offsetof(struct bolt_order, plant.growth) : row->offset) + key->offset;
+    const struct key *key = row->key, *own = key_find(lsystem_keys, key->name);
+    size_t offset = row->offset;
+    if (order->lsystem > 0 && own && offset == offsetof(struct bolt_order, bolt.growth)) {
+        key = own;
+        offset = offsetof(struct bolt_order, plant.growth);
+    }
+    void *field = (char *)order + offset + key->offset;
     char allowed[1200];
     bool good = true;
     if (row->plant && order->lsystem == 0) {

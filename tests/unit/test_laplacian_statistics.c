@@ -289,7 +289,8 @@ static void harmonics_solve_a_known_boundary(void **state)
     static float sky[AROUND * UP];
     const double turn = 6.283185307179586, inner = 0.5, outer = 100;
     for (int i = 0; i < AROUND * UP; i++) {
-        double around = (i % AROUND + 0.5) / AROUND * turn, down = (i / AROUND + 0.5) / UP * turn / 2;
+        int row = i / AROUND;
+        double around = (i % AROUND + 0.5) / AROUND * turn, down = (row + 0.5) / UP * turn / 2;
         double x = sin(down) * cos(around), y = -cos(down), z = sin(down) * sin(around);
         sky[i] = (float)(0.5 + 0.2 * x - 0.3 * y + 0.4 * x * z + 0.1 * (y * y - 1.0 / 3));
     }
@@ -305,7 +306,8 @@ static void harmonics_solve_a_known_boundary(void **state)
             parts[n] = a * pow(r, n) + b * pow(r, -n - 1);
         }
         for (int i = 0; i < AROUND * UP; i += 11) {
-            double around = (i % AROUND + 0.5) / AROUND * turn, down = (i / AROUND + 0.5) / UP * turn / 2;
+            int row = i / AROUND;
+            double around = (i % AROUND + 0.5) / AROUND * turn, down = (row + 0.5) / UP * turn / 2;
             double x = sin(down) * cos(around), y = -cos(down), z = sin(down) * sin(around);
             const float at[3] = {(float)(r * x), (float)(r * y), (float)(r * z)};
             double known = 0.5 + parts[1] * (0.2 * x - 0.3 * y) + parts[2] * (0.4 * x * z + 0.1 * (y * y - 1.0 / 3));
