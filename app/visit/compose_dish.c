@@ -119,8 +119,10 @@ void compose_dish(struct performance *performance, const struct compose_dish_def
     post_dose(&chemist, BEGIN_S);
     post_dose(&chemist, BEGIN_S + 2);
     float every = fmaxf(DOSE_S, end / DOSES);
-    for (float at = BEGIN_S + 5; at < end; at += every * dice_between(dice, 0.6f, 1.6f)) {
+    float at = BEGIN_S + 5;
+    while (at < end) {
         post_dose(&chemist, at);
+        at += every * dice_between(dice, 0.6f, 1.6f);
     }
     compose_drift(&chemist, BEGIN_S + 4, end);
     performance_space(performance, (int)ticks_of(&chemist, 0.5f));

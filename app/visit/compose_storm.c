@@ -75,8 +75,8 @@ static void lift_hands(const struct stormer *stormer)
 static void compose_flashes(const struct stormer *stormer, float from_s, float to_s)
 {
     struct dice *dice = stormer->dice;
-    float x = dice_between(dice, 0.15f, 0.85f), every = fmaxf(FLASH_S, (to_s - from_s) / FLASHES);
-    for (float at = from_s; at < to_s; at += every * dice_between(dice, 0.5f, 1.8f)) {
+    float x = dice_between(dice, 0.15f, 0.85f), every = fmaxf(FLASH_S, (to_s - from_s) / FLASHES), at = from_s;
+    while (at < to_s) {
         x += dice_between(dice, 0.2f, 0.5f);
         x = x > 0.9f ? x - 0.8f : x;
         post_strike(stormer, (struct point){x, dice_between(dice, 0.55f, 0.95f)}, at);
@@ -84,6 +84,7 @@ static void compose_flashes(const struct stormer *stormer, float from_s, float t
             float other = x > 0.5f ? x - dice_between(dice, 0.2f, 0.4f) : x + dice_between(dice, 0.2f, 0.4f);
             post_strike(stormer, (struct point){other, dice_between(dice, 0.5f, 0.9f)}, at + 0.9f);
         }
+        at += every * dice_between(dice, 0.5f, 1.8f);
     }
 }
 
@@ -91,8 +92,8 @@ static void compose_flashes(const struct stormer *stormer, float from_s, float t
 static void compose_slow(const struct stormer *stormer, float from_s, float to_s)
 {
     struct dice *dice = stormer->dice;
-    float side = dice_chance(dice, 0.5f) ? 0.3f : 0.7f, every = fmaxf(GROW_S, (to_s - from_s) / SLOW);
-    for (float at = from_s; at < to_s; at += every * dice_between(dice, 0.8f, 1.3f), side = 1 - side) {
+    float side = dice_chance(dice, 0.5f) ? 0.3f : 0.7f, every = fmaxf(GROW_S, (to_s - from_s) / SLOW), at = from_s;
+    while (at < to_s) {
         float x = side + dice_between(dice, -0.12f, 0.12f);
         post_strike(stormer, (struct point){x, dice_between(dice, 0.72f, 0.86f)}, at);
         if (at + 3 + STAYS_S < to_s && dice_chance(dice, 0.7f)) {
@@ -100,6 +101,8 @@ static void compose_slow(const struct stormer *stormer, float from_s, float to_s
             hand.x = fminf(fmaxf(hand.x, 0.08f), 0.92f);
             post_hand(stormer, hand, at + 3);
         }
+        at += every * dice_between(dice, 0.8f, 1.3f);
+        side = 1 - side;
     }
 }
 
