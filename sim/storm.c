@@ -11,6 +11,7 @@ struct storm *storm_create(int width, int height)
     struct storm *storm = calloc(1, sizeof *storm);
     if (storm) {
         storm->def = storm_preset(BOLT_LIGHTNING);
+        storm->most = STORM_PARTICLES;
         storm->width = width > 1 ? width : 1;
         storm->height = height > 1 ? height : 1;
         if (!storm_lattice_init(storm)) {

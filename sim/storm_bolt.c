@@ -190,7 +190,8 @@ static bool begin(struct storm *storm, struct storm_bolt *bolt, const struct act
         growth->eta = storm->def.eta;
         growth->eta_end = -1;
         growth->extent = 0; /* from where it begins: looked after here */
-        growth->particles = bolt->limit = storm->def.particles;
+        bolt->limit = storm->def.particles < storm->most ? storm->def.particles : (int)storm->most;
+        growth->particles = bolt->limit;
         growth->seed = (int)(random_bits((int)storm->bolts_begun, 0, (uint32_t)storm->def.seed, RANDOM_PLACE) >> 1);
         growth->mask = (struct action_raster){storm->mask, storm->mask_columns, storm->mask_rows, 1};
         growth->charges = bolt->pulls;
@@ -352,7 +353,7 @@ static void step(struct storm *storm, struct storm_bolt *bolt, int most)
 /* Particles that all may have more, once what is old and at rest has been asked to go. */
 static int64_t room_for_particles(struct storm *storm, int wanted)
 {
-    int64_t free = STORM_PARTICLES - storm_particles(storm);
+    int64_t free = storm->most - storm_particles(storm);
     if (free >= wanted) {
         return free;
     }
@@ -370,7 +371,7 @@ static int64_t room_for_particles(struct storm *storm, int wanted)
             storm_dismiss(storm, gives, PUSHED_OUT);
         }
     }
-    free = STORM_PARTICLES - storm_particles(storm);
+    free = storm->most - storm_particles(storm);
     return free > 0 ? free : 0;
 }
 

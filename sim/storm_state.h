@@ -100,6 +100,7 @@ struct storm {
     bool begun, failed; /* memory was short */
     int64_t now, origin;
     int64_t serial, undone, bolts_begun;
+    int64_t most; /* particles of all: STORM_PARTICLES, but in tests */
     struct storm_bolt bolts[STORM_SLOTS];
     struct storm_hand hands[STORM_HANDS];
     int64_t hands_changed;
