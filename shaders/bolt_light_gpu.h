@@ -30,6 +30,9 @@ void bolt_light_gpu_destroy(struct bolt_light_gpu *light); /* takes NULL */
 /* Samples along a pixel of the panel, 0.25..2; 1 at first. Of bodies, 2 is as bolt_light_lay has them. */
 void bolt_light_gpu_scale(struct bolt_light_gpu *light, float scale);
 
+/* How much all of it covers, ground and flash included, 0..1; 1 at first: what comes or goes fades. */
+void bolt_light_gpu_opacity(struct bolt_light_gpu *light, float opacity);
+
 /* Copies `count` segments to where the list has those from `first` on, which is within it or right at its end. False
  * when GL has no memory, or `first` lies beyond: the list is as it was then. */
 bool bolt_light_gpu_set(struct bolt_light_gpu *light, const struct bolt_segment *segments, int first, int count);

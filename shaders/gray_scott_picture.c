@@ -10,7 +10,7 @@
 
 enum { SHADES = 1024, RING = 480, TUBE = 240, SIDE_MOST = 2048 };
 /* Locations of uniforms, as the shaders have them. */
-enum { AT_RANGE, AT_LIGHT, AT_SCALE, AT_TEXTURED, AT_TORUS = 1, AT_EYE, AT_MESH, AT_TORUS_LIGHT };
+enum { AT_RANGE, AT_LIGHT, AT_SCALE, AT_TEXTURED, AT_CLEAR, AT_TORUS = 1, AT_EYE, AT_MESH, AT_TORUS_LIGHT };
 
 struct gray_scott_picture {
     int width, height;
@@ -18,6 +18,7 @@ struct gray_scott_picture {
     unsigned shade, torus;           /* programs */
     unsigned sheet, ramp, ground;    /* textures; ground 0: none */
     unsigned framebuffer, depth;
+    bool clear;
 };
 
 static const struct texture_def RAMP = {
@@ -113,6 +114,11 @@ bool gray_scott_picture_set(struct gray_scott_picture *picture, const struct gra
     return set_ground(picture, def);
 }
 
+void gray_scott_picture_clear(struct gray_scott_picture *picture, bool clear)
+{
+    picture->clear = clear;
+}
+
 static void begin(const struct gray_scott_picture *picture, unsigned program, unsigned pattern)
 {
     const struct gray_scott_shade_def *def = &picture->def;
@@ -141,6 +147,7 @@ void gray_scott_picture_shade(struct gray_scott_picture *picture, unsigned patte
     set_light(picture, AT_LIGHT);
     glUniform2f(AT_SCALE, (float)cells_x / (float)picture->width, (float)cells_y / (float)picture->height);
     glUniform1i(AT_TEXTURED, picture->ground != 0);
+    glUniform1i(AT_CLEAR, picture->clear);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -156,7 +163,7 @@ void gray_scott_picture_torus(struct gray_scott_picture *picture, unsigned patte
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    glClearColor(0, 0, 0, 1);
+    glClearColor(0, 0, 0, picture->clear ? 0 : 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (RING + 1), TUBE);
     glDisable(GL_DEPTH_TEST);

@@ -15,6 +15,9 @@ void gray_scott_picture_destroy(struct gray_scott_picture *picture); /* takes NU
 /* How it is shaded from now on; gradient and texture are copied to the GPU, the gradient in 1024 shades. False when
  * memory is short or the texture has sides beyond 2048: there is none then. */
 bool gray_scott_picture_set(struct gray_scott_picture *picture, const struct gray_scott_shade_def *def);
+/* Whether what the gradient does not hide, and what is beside the torus, is seen through from now on: the picture is
+ * multiplied by its alpha then, after it was encoded. A texture hides all. */
+void gray_scott_picture_clear(struct gray_scott_picture *picture, bool clear);
 /* The sheet flat, or around a torus, without smoothing of its edges. `pattern`: a published texture. */
 void gray_scott_picture_shade(struct gray_scott_picture *picture, unsigned pattern, int cells_x, int cells_y);
 void gray_scott_picture_torus(struct gray_scott_picture *picture, unsigned pattern, const struct torus_def *torus);

@@ -3,6 +3,7 @@
 layout(location = 1) uniform vec4 light; // towards it, of length 1; 0
 layout(location = 2) uniform vec2 scale; // cells a pixel
 layout(location = 3) uniform bool textured;
+layout(location = 4) uniform bool clear; // what the gradient does not hide is seen through
 
 layout(binding = 2) uniform highp sampler2D ground;
 
@@ -25,6 +26,10 @@ void main()
     vec3 under = vec3(0.0);
     if (textured) {
         under = texelFetch(ground, ivec2(gl_FragCoord.xy) % textureSize(ground, 0), 0).rgb;
+    }
+    if (clear && !textured) {
+        colour = vec4(encoded(lit * own.rgb + gloss) * own.a, own.a);
+        return;
     }
     colour = vec4(encoded(lit * (own.a * own.rgb + (1.0 - own.a) * under) + own.a * gloss), 1.0);
 }

@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-enum { OVERLAY_PIECES = 32 };
+enum { OVERLAY_PIECES = 48 };
 
 struct overlay;
 

@@ -7,8 +7,8 @@
 
 static struct show showing(const struct picture_gpu *picture, enum picture_texture which, float opacity)
 {
-    return (struct show){picture->program[PASS_SHOW], picture->texture[which], picture->def.width, picture->def.height,
-                         opacity};
+    return (struct show){
+        picture->program[PASS_SHOW], picture->texture[which], picture->def.width, picture->def.height, opacity, false};
 }
 
 void picture_gpu_present(const struct picture_gpu *picture, unsigned framebuffer, int panel_width, int panel_height,

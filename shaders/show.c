@@ -32,7 +32,11 @@ void show_sheet(const struct show *show, unsigned framebuffer, int panel_width, 
     glUniformMatrix2fv(2, 1, GL_FALSE, turn);
     glUniform1i(3, exact);
     glUniform1f(4, show->opacity);
-    if (show->opacity < 1) {
+    glUniform1i(5, show->clear);
+    if (show->clear) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    } else if (show->opacity < 1) {
         glEnable(GL_BLEND);
         glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     }

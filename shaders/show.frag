@@ -4,6 +4,7 @@ layout(location = 1) uniform ivec2 size; // of the sheet, pixels
 layout(location = 2) uniform mat2 turn;  // from the sheet's clip coordinates to the panel's
 layout(location = 3) uniform bool exact;
 layout(location = 4) uniform float opacity;
+layout(location = 5) uniform bool clear; // multiplied by alpha
 
 layout(binding = 0) uniform sampler2D sheet; // row 0 at the top
 
@@ -18,5 +19,5 @@ void main()
     } else {
         colour = texture(sheet, at);
     }
-    colour.a = opacity;
+    colour = clear ? colour * opacity : vec4(colour.rgb, opacity);
 }

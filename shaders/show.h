@@ -11,6 +11,7 @@ struct show {
     unsigned program, texture;
     int width, height; /* pixels of the texture */
     float opacity;     /* 1: it covers what was there */
+    bool clear;        /* it covers as its own alpha says, which it is multiplied by */
 };
 /* Onto all of a framebuffer of panel_width x panel_height pixels; `turn` as picture_gpu_present. */
 void show_sheet(const struct show *show, unsigned framebuffer, int panel_width, int panel_height, const float turn[4]);

@@ -26,6 +26,7 @@ struct texture_def {
     enum texture_filter filter;
     int width, height; /* texels, 1..2048: more is asked of the GPU (GL_MAX_TEXTURE_SIZE) */
     int layers;        /* 0: sampler2D; 1..256: sampler2DArray */
+    bool spread;       /* samplers find the first channel in all four */
 };
 
 /* Whether GLES 3.1 promises linear filtering of this format. */

@@ -228,6 +228,6 @@ bool xray_gpu_shade(struct xray_gpu *xray, const struct fields *fields)
 void xray_gpu_present(const struct xray_gpu *xray, unsigned framebuffer, int panel_width, int panel_height,
                       const float turn[4])
 {
-    struct show show = {xray->program[PROGRAM_SHOW], xray->sheet, xray->width, xray->height, 1};
+    struct show show = {xray->program[PROGRAM_SHOW], xray->sheet, xray->width, xray->height, 1, false};
     show_sheet(&show, framebuffer, panel_width, panel_height, turn);
 }

@@ -1,45 +1,320 @@
 #include "dish.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-const struct key dish_keys[] = {
-    {.name = "feed",
-     .type = KEY_NUMBER,
-     .unit = "per unit of time",
-     .min = 0,
-     .max = 0.15,
-     .initial = 0.037,
-     .offset = offsetof(struct dish_def, reaction.feed),
-     .meaning = "How fast fresh u comes, and everything is thinned."},
-    {.name = NULL},
-};
+#include "dish_state.h"
+#include "gray_scott_classes.h"
 
-struct dish {
-    struct dish_def def;
-};
+#define COMBED_BY 0.5f   /* anisotropy of v that a comb brings */
+#define STYLED_BY 0.006f /* kill rate that the light places of a style have more, if nothing is said */
 
-struct dish_def dish_default_def(void)
+static int cells(int side, float scale)
 {
-    struct dish_def def = {0};
-    key_defaults(dish_keys, &def);
-
-    return def;
+    int count = (int)((float)side / scale + 0.5f);
+    return count < 4 ? 4 : count > GRAY_SCOTT_SIZE_MAX ? GRAY_SCOTT_SIZE_MAX : count;
 }
 
-void dish_take(struct dish_def *def, int key, float value)
+int dish_cells_x(const struct dish *dish)
 {
-    key_take(&dish_keys[key], def, value);
+    return cells(dish->width, dish->def.scale);
+}
+
+int dish_cells_y(const struct dish *dish)
+{
+    return cells(dish->height, dish->def.scale);
 }
 
 struct dish *dish_create(int width, int height)
 {
-    (void)width, (void)height;
-    return calloc(1, sizeof(struct dish));
+    struct dish *dish = calloc(1, sizeof *dish);
+    if (!dish) {
+        return NULL;
+    }
+    dish->def = dish_default_def();
+    dish->width = width;
+    dish->height = height;
+    dish->fresh = true;
+    dish->chemistry = gray_scott_create(dish_cells_x(dish), dish_cells_y(dish), &dish->def.reaction, 1, VECTORS_BEST);
+    dish->seen = dish->chemistry ? calloc(dish_cells(dish), sizeof *dish->seen) : NULL;
+    if (!dish->seen) {
+        dish_destroy(dish);
+        return NULL;
+    }
+    dish_make_stops(dish);
+    return dish;
 }
 
 void dish_destroy(struct dish *dish)
 {
-    free(dish);
+    if (dish) {
+        gray_scott_destroy(dish->chemistry);
+        free(dish->style);
+        free(dish->along);
+        free(dish->dry);
+        free(dish->seen);
+        free(dish->before);
+        free(dish);
+    }
+}
+
+struct dish_def dish_get_def(const struct dish *dish)
+{
+    return dish->def;
+}
+
+const struct gray_scott *dish_chemistry(const struct dish *dish)
+{
+    return dish->chemistry;
+}
+
+void dish_set(struct dish *dish)
+{
+    struct gray_scott_def def = dish->def.reaction;
+    bool plain = !(fabsf(def.anisotropy_u) > 0 || fabsf(def.anisotropy_v) > 0);
+    bool bare = !(fabsf(def.style_feed) > 0 || fabsf(def.style_kill) > 0 || def.style_rate > 0);
+    def.anisotropy_v = plain && dish->along ? COMBED_BY : def.anisotropy_v;
+    def.style_kill = bare && dish->map.values ? STYLED_BY : def.style_kill;
+    dish->failed = !gray_scott_set(dish->chemistry, &def) || dish->failed;
+}
+
+static void see(struct dish *dish)
+{
+    size_t width = (size_t)gray_scott_width(dish->chemistry);
+    for (int y = 0; y < gray_scott_height(dish->chemistry); y++) {
+        memcpy(dish->seen + (size_t)y * width, gray_scott_v(dish->chemistry, y), width * sizeof *dish->seen);
+    }
+}
+
+/* Values of so many cells, bilinear between those of others; `channels` of them. False when memory is short. */
+static bool refit(float **values, int channels, int width, int height, int to_width, int to_height)
+{
+    size_t count = (size_t)to_width * (size_t)to_height;
+    float *other = *values ? malloc((size_t)channels * count * sizeof *other) : NULL;
+    if (!other) {
+        return !*values;
+    }
+    for (int channel = 0; channel < channels; channel++) {
+        const float *plane = *values + (size_t)channel * (size_t)width * (size_t)height;
+        dish_sample(plane, width, height, to_width, to_height, other + (size_t)channel * count);
+    }
+    free(*values);
+    *values = other;
+    return true;
+}
+
+void dish_regrid(struct dish *dish)
+{
+    int width = gray_scott_width(dish->chemistry), height = gray_scott_height(dish->chemistry);
+    int to_width = dish_cells_x(dish), to_height = dish_cells_y(dish);
+    if (width == to_width && height == to_height) {
+        return;
+    }
+    struct gray_scott *other = gray_scott_resampled(dish->chemistry, to_width, to_height);
+    float *seen = other ? calloc((size_t)to_width * (size_t)to_height, sizeof *seen) : NULL;
+    if (!seen || !refit(&dish->along, 2, width, height, to_width, to_height) ||
+        !refit(&dish->dry, 1, width, height, to_width, to_height)) {
+        gray_scott_destroy(other);
+        free(seen);
+        dish->failed = true;
+        return;
+    }
+    gray_scott_destroy(dish->chemistry);
+    free(dish->seen);
+    free(dish->before);
+    dish->chemistry = other;
+    dish->seen = seen;
+    dish->before = NULL;
+    dish->combed = dish->along != NULL;
+    if (dish->map.values) {
+        dish->failed = !gray_scott_style(other, &dish->map) || dish->failed;
+    }
+    see(dish);
+}
+
+void dish_resize(struct dish *dish, int width, int height)
+{
+    dish->width = width;
+    dish->height = height;
+    dish_regrid(dish);
+}
+
+static void take_react(struct dish *dish, const struct action *action)
+{
+    dish_take(&dish->def, action->option, action->value);
+    if (dish_keys[action->option].offset == offsetof(struct dish_def, preset)) {
+        dish->starts = dish->fresh;
+    }
+    dish_set(dish);
+    dish_regrid(dish);
+    dish_make_stops(dish);
+}
+
+void dish_act(struct dish *dish, int64_t tick, const struct action *action)
+{
+    struct action legal = action_legal(action);
+    (void)tick;
+    switch (legal.verb) {
+    case ACTION_DOSE:
+        dish_dose(dish, &legal);
+        break;
+    case ACTION_REACT:
+        take_react(dish, &legal);
+        break;
+    case ACTION_STYLE:
+        dish_style(dish, &legal);
+        break;
+    case ACTION_GUIDE:
+        dish_comb(dish, &legal);
+        break;
+    case ACTION_RINSE:
+        dish_rinse(dish, &legal);
+        break;
+    case ACTION_DRY:
+        dish_dry(dish, &legal, false);
+        break;
+    case ACTION_WET:
+        dish_dry(dish, &legal, true);
+        break;
+    case ACTION_CLEAR:
+        dish_clear(dish);
+        break;
+    default:
+        break;
+    }
+}
+
+static void begin(struct dish *dish)
+{
+    struct gray_scott_preset preset = gray_scott_presets[dish->def.preset];
+    dish->starts = false;
+    if (dish->def.start == DISH_START_NOTHING) {
+        return;
+    }
+    preset.start = dish->def.start == DISH_START_SPOTS   ? START_SPOTS
+                   : dish->def.start == DISH_START_NOISE ? START_NOISE
+                                                         : preset.start;
+    preset.radius *= dish->def.reaction.size;
+    gray_scott_preset_start(dish->chemistry, &preset, (uint32_t)dish->def.reaction.seed);
+    dish->fresh = false;
+}
+
+/* Whether so little is left that nothing comes of it. */
+static bool is_spent(const struct dish *dish)
+{
+    float least = 1, most = 0;
+    for (int y = 0; y < gray_scott_height(dish->chemistry); y++) {
+        const float *u = gray_scott_u(dish->chemistry, y), *v = gray_scott_v(dish->chemistry, y);
+        for (int x = 0; x < gray_scott_width(dish->chemistry); x++) {
+            least = u[x] < least ? u[x] : least;
+            most = v[x] > most ? v[x] : most;
+        }
+    }
+    return most < 1e-4f && least > 0.99f;
+}
+
+/* The steps of a tick; where something is dry the cell keeps a share of what it was. */
+static bool step(struct dish *dish, int steps)
+{
+    size_t count = dish_cells(dish);
+    if (!dish->dry) {
+        gray_scott_step(dish->chemistry, steps);
+        return true;
+    }
+    dish->before = dish->before ? dish->before : malloc(4 * count * sizeof *dish->before);
+    if (!dish->before) {
+        return false;
+    }
+    float *was[2] = {dish->before, dish->before + count}, *is[2] = {was[1] + count, was[1] + 2 * count};
+    gray_scott_save(dish->chemistry, was[0], was[1]);
+    gray_scott_step(dish->chemistry, steps);
+    gray_scott_save(dish->chemistry, is[0], is[1]);
+    for (int chemical = 0; chemical < 2; chemical++) {
+        for (size_t i = 0; i < count; i++) {
+            is[chemical][i] += dish->dry[i] * (was[chemical][i] - is[chemical][i]);
+        }
+    }
+    gray_scott_load(dish->chemistry, is[0], is[1]);
+    return true;
+}
+
+/* Steps of this tick: fewer the drier the sheet is. */
+static int steps_now(struct dish *dish)
+{
+    dish->owed += (float)dish->def.steps * (1 - dish->all_dry);
+    int steps = (int)dish->owed;
+    dish->owed -= (float)steps;
+    return steps;
+}
+
+bool dish_tick(struct dish *dish, int64_t tick)
+{
+    if (dish->starts) {
+        begin(dish);
+    }
+    if (dish->combed) {
+        const struct action_raster field = {dish->along, gray_scott_width(dish->chemistry),
+                                            gray_scott_height(dish->chemistry), 2};
+        dish->failed = !gray_scott_orient(dish->chemistry, dish->along ? &field : NULL) || dish->failed;
+        dish->combed = false;
+        dish_set(dish);
+    }
+    if (dish->fresh) {
+        dish->owed = 0;
+        return !dish->failed;
+    }
+    int steps = steps_now(dish);
+    if (steps > 0) {
+        dish->failed = !step(dish, steps) || dish->failed;
+    }
+    if (tick % DISH_LOOKED == 0 && is_spent(dish)) {
+        gray_scott_fill(dish->chemistry, 1, 0);
+        dish->fresh = true;
+    }
+    see(dish);
+    return !dish->failed;
+}
+
+bool dish_is_calm(const struct dish *dish)
+{
+    bool turns = dish->def.torus && fabsf(dish->def.turn) > 0;
+    return !turns && !dish->starts && !dish->combed && (dish->fresh || dish->all_dry >= 1);
+}
+
+static uint64_t mix(uint64_t hash, const void *data, size_t size)
+{
+    const uint8_t *bytes = data;
+    for (size_t i = 0; i < size; i++) {
+        hash = (hash ^ bytes[i]) * UINT64_C(0x100000001b3); /* FNV-1a */
+    }
+    return hash;
+}
+
+static uint64_t dish_hash(const struct dish *dish)
+{
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    size_t width = (size_t)gray_scott_width(dish->chemistry);
+    for (const struct key *key = dish_keys; key->name; key++) {
+        float value = key_value(key, &dish->def);
+        hash = mix(hash, &value, sizeof value);
+    }
+    for (int y = 0; y < gray_scott_height(dish->chemistry); y++) {
+        hash = mix(hash, gray_scott_u(dish->chemistry, y), width * sizeof(float));
+        hash = mix(hash, gray_scott_v(dish->chemistry, y), width * sizeof(float));
+    }
+    if (dish->map.values) {
+        size_t count = (size_t)dish->map.width * (size_t)dish->map.height * (size_t)dish->map.channels;
+        hash = mix(hash, dish->map.values, count * sizeof(float));
+    }
+    if (dish->along) {
+        hash = mix(hash, dish->along, 2 * dish_cells(dish) * sizeof(float));
+    }
+    if (dish->dry) {
+        hash = mix(hash, dish->dry, dish_cells(dish) * sizeof(float));
+    }
+    hash = mix(hash, &dish->all_dry, sizeof dish->all_dry);
+    return mix(hash, &dish->owed, sizeof dish->owed);
 }
 
 static bool takes(enum action_verb verb)
@@ -59,21 +334,20 @@ static void destroy(void *scene)
 
 static void resize(void *scene, int width, int height)
 {
-    (void)scene, (void)width, (void)height;
+    dish_resize(scene, width, height);
 }
 
 static void act(void *scene, int64_t tick, const struct action *action)
 {
-    (void)scene, (void)tick, (void)action;
+    dish_act(scene, tick, action);
 }
 
 static bool tick(void *scene, int64_t now)
 {
-    (void)scene, (void)now;
-    return true;
+    return dish_tick(scene, now);
 }
 
-static uint64_t can(const void *scene)
+static uint64_t nobody(const void *scene)
 {
     (void)scene;
     return 0;
@@ -81,18 +355,30 @@ static uint64_t can(const void *scene)
 
 static bool lay(void *scene, int64_t now, int width, int height, uint8_t *rgb)
 {
-    (void)scene, (void)now, (void)width, (void)height, (void)rgb;
-    return true;
+    return dish_lay(scene, now, width, height, rgb);
 }
 
 static bool field(void *scene, enum scene_field which, int width, int height, float *values)
 {
-    (void)scene;
-    for (int i = 0; i < width * height * scene_field_channels(which); i++) {
-        values[i] = 0;
-    }
-    return true;
+    return dish_field(scene, which, width, height, values);
 }
+
+static bool plane(void *scene, int which, int width, int height, float *values)
+{
+    return dish_plane(scene, which, width, height, values);
+}
+
+static int figures(const void *scene, struct scene_figure *all)
+{
+    return dish_figures(scene, all);
+}
+
+static uint64_t hash(const void *scene)
+{
+    return dish_hash(scene);
+}
+
+static const char *const PLANES[] = {"u", "v", NULL};
 
 const struct scene_type dish_type = {
     .name = "chemistry",
@@ -104,9 +390,12 @@ const struct scene_type dish_type = {
     .resize = resize,
     .act = act,
     .tick = tick,
-    .can_undo = can,
-    .can_redo = can,
+    .can_undo = nobody,
+    .can_redo = nobody,
     .lay = lay,
     .field = field,
-    .hash = can,
+    .hash = hash,
+    .planes = PLANES,
+    .plane = plane,
+    .figures = figures,
 };

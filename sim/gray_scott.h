@@ -84,6 +84,10 @@ const float *gray_scott_v(const struct gray_scott *chemistry, int y);
 void gray_scott_load(struct gray_scott *chemistry, const float *u, const float *v);
 void gray_scott_save(const struct gray_scott *chemistry, float *u, float *v);
 
+/* Another sheet of so many cells with the same parameters and threads, after as many steps, its state bilinear between
+ * the cells of this one; without style map and orientation. NULL when memory is short or a side out of range. */
+struct gray_scott *gray_scott_resampled(const struct gray_scott *chemistry, int width, int height);
+
 /* The same everywhere. u = 1, v = 0 is a fresh sheet. */
 void gray_scott_fill(struct gray_scott *chemistry, float u, float v);
 /* The other uniform state that lasts: u v = f + k, f (1 - u) = u v^2. False where there is none
@@ -97,6 +101,10 @@ void gray_scott_stroke(struct gray_scott *chemistry, const struct action_path *p
 struct gray_scott_state {
     float u, v;
 };
+/* Each cell of an area (within the sheet) is brought to a state by a share, 0..1 of the way, which is asked for row by
+ * row. */
+void gray_scott_bring(struct gray_scott *chemistry, struct rectangle area, float (*share)(void *context, int x, int y),
+                      void *context, struct gray_scott_state to);
 /* What a brush brings cells to, and the cells it may reach; none where x1 <= x0. */
 struct gray_scott_state gray_scott_brush_state(enum gray_scott_brush brush);
 struct rectangle gray_scott_stroke_area(const struct gray_scott *chemistry, const struct action_path *path,

@@ -8,28 +8,32 @@
 
 const char *const gray_scott_class_names[CLASSES + 1] = {"uniform", "spots", "worms", "holes", "waves", NULL};
 
-const struct gray_scott_preset gray_scott_presets[] = {
-    {"wavelets", "α", 0.010f, 0.047f, START_SPOTS, 10, CLASS_WAVES,
-     "Wavelets that break, meet and put each other out."},
-    {"voids", "β", 0.026f, 0.051f, START_SPOTS, 10, CLASS_WAVES, "An ocean in which voids open and fill."},
-    {"ripples", "γ", 0.024f, 0.0515f, START_SPOTS, 10, CLASS_WAVES, "Holes and stripes that flicker and never rest."},
-    {"honeycomb", "δ", 0.042f, 0.059f, START_NOISE, 10, CLASS_HOLES, "Holes that settle into a honeycomb."},
-    {"cells", "ε", 0.018f, 0.055f, START_SPOTS, 10, CLASS_WAVES,
-     "Rings and spots that crowd each other out, for ever."},
-    {"crowd", "ζ", 0.022f, 0.059f, START_SPOTS, 10, CLASS_WAVES, "Spots that divide and overcrowd."},
-    {"worms_and_spots", "η", 0.034f, 0.0618f, START_NOISE, 10, CLASS_WORMS, "Short worms among spots."},
-    {"fingerprint", "θ", 0.037f, 0.060f, START_NOISE, 10, CLASS_WORMS, "Ridges as of a fingertip."},
-    {"negatons", "ι", 0.046f, 0.0594f, START_SPOTS, 10, CLASS_HOLES, "Holes that hold together like molecules."},
-    {"maze", "κ", 0.050f, 0.063f, START_SPOTS, 10, CLASS_WORMS, "Worms that join into a maze."},
-    {"mitosis", "λ", 0.0367f, 0.0649f, START_SPOTS, 6, CLASS_SPOTS, "Spots that divide until the sheet is full."},
-    {"worms", "μ", 0.058f, 0.065f, START_SPOTS, 10, CLASS_WORMS, "Worms that grow from their ends and keep apart."},
-    {"solitons", "ν", 0.054f, 0.067f, START_SPOTS, 6, CLASS_SPOTS, "Lonely spots that stay."},
-    {"spirals", "ξ", 0.014f, 0.049f, START_SPOTS, 10, CLASS_WAVES, "Spirals, as of Belousov and Zhabotinsky."},
-    {"skates", "π", 0.062f, 0.0609f, START_BLUE, 6, CLASS_HOLES, "Stripes and holes that attract and repel."},
-    {"red", "R", 0.050f, 0.070f, START_NOISE, 10, CLASS_UNIFORM, "All fades: a fresh sheet."},
-    {"blue", "B", 0.050f, 0.050f, START_NOISE, 10, CLASS_UNIFORM, "All is filled, evenly."},
-    {.name = NULL},
-};
+#define PRESETS(ROW)                                                                                                   \
+    ROW("wavelets", "α", 0.010f, 0.047f, START_SPOTS, 10, CLASS_WAVES,                                                 \
+        "Wavelets that break, meet and put each other out.")                                                           \
+    ROW("voids", "β", 0.026f, 0.051f, START_SPOTS, 10, CLASS_WAVES, "An ocean in which voids open and fill.")          \
+    ROW("ripples", "γ", 0.024f, 0.0515f, START_SPOTS, 10, CLASS_WAVES,                                                 \
+        "Holes and stripes that flicker and never rest.")                                                              \
+    ROW("honeycomb", "δ", 0.042f, 0.059f, START_NOISE, 10, CLASS_HOLES, "Holes that settle into a honeycomb.")         \
+    ROW("cells", "ε", 0.018f, 0.055f, START_SPOTS, 10, CLASS_WAVES,                                                    \
+        "Rings and spots that crowd each other out, for ever.")                                                        \
+    ROW("crowd", "ζ", 0.022f, 0.059f, START_SPOTS, 10, CLASS_WAVES, "Spots that divide and overcrowd.")                \
+    ROW("worms_and_spots", "η", 0.034f, 0.0618f, START_NOISE, 10, CLASS_WORMS, "Short worms among spots.")             \
+    ROW("fingerprint", "θ", 0.037f, 0.060f, START_NOISE, 10, CLASS_WORMS, "Ridges as of a fingertip.")                 \
+    ROW("negatons", "ι", 0.046f, 0.0594f, START_SPOTS, 10, CLASS_HOLES, "Holes that hold together like molecules.")    \
+    ROW("maze", "κ", 0.050f, 0.063f, START_SPOTS, 10, CLASS_WORMS, "Worms that join into a maze.")                     \
+    ROW("mitosis", "λ", 0.0367f, 0.0649f, START_SPOTS, 6, CLASS_SPOTS, "Spots that divide until the sheet is full.")   \
+    ROW("worms", "μ", 0.058f, 0.065f, START_SPOTS, 10, CLASS_WORMS, "Worms that grow from their ends and keep apart.") \
+    ROW("solitons", "ν", 0.054f, 0.067f, START_SPOTS, 6, CLASS_SPOTS, "Lonely spots that stay.")                       \
+    ROW("spirals", "ξ", 0.014f, 0.049f, START_SPOTS, 10, CLASS_WAVES, "Spirals, as of Belousov and Zhabotinsky.")      \
+    ROW("skates", "π", 0.062f, 0.0609f, START_BLUE, 6, CLASS_HOLES, "Stripes and holes that attract and repel.")       \
+    ROW("red", "R", 0.050f, 0.070f, START_NOISE, 10, CLASS_UNIFORM, "All fades: a fresh sheet.")                       \
+    ROW("blue", "B", 0.050f, 0.050f, START_NOISE, 10, CLASS_UNIFORM, "All is filled, evenly.")
+#define ROW(word, sign, f, k, from, cells, class, text)                                                                \
+    {.name = word, .letter = sign, .feed = f, .kill = k, .start = from, .radius = cells, .is = class, .meaning = text},
+#define NAME(word, ...) word,
+const struct gray_scott_preset gray_scott_presets[] = {PRESETS(ROW){.name = NULL}};
+const char *const gray_scott_preset_names[] = {PRESETS(NAME) NULL};
 
 const struct gray_scott_preset *gray_scott_preset_find(const char *name)
 {

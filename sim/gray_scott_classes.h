@@ -32,6 +32,7 @@ struct gray_scott_preset {
     const char *meaning;      /* one sentence for a curator */
 };
 extern const struct gray_scott_preset gray_scott_presets[]; /* ends with one whose name is NULL */
+extern const char *const gray_scott_preset_names[];         /* of them, in their order; ends with NULL */
 /* The preset of that name, or NULL. */
 const struct gray_scott_preset *gray_scott_preset_find(const char *name);
 /* The preset whose feed and kill are nearest, measured as shares of the whole map (figure of the map). */

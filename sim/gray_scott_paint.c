@@ -147,6 +147,19 @@ struct point gray_scott_seed_place(int number, uint32_t seed)
                           random_unit(number, 1, seed, RANDOM_CHEMISTRY)};
 }
 
+void gray_scott_bring(struct gray_scott *chemistry, struct rectangle area, float (*share)(void *context, int x, int y),
+                      void *context, struct gray_scott_state to)
+{
+    for (int y = area.y0; y < area.y1; y++) {
+        for (int x = area.x0; x < area.x1; x++) {
+            float part = within(share(context, x, y));
+            if (part > 0) {
+                bring(chemistry, x, y, part, to.u, to.v);
+            }
+        }
+    }
+}
+
 void gray_scott_seed_spots(struct gray_scott *chemistry, int count, float radius, uint32_t seed)
 {
     for (int i = 0; i < count; i++) {

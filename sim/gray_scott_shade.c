@@ -30,8 +30,11 @@ static const struct gradient_stop INDIGO[] = {{0, {0.8f, 0.74f, 0.62f, 1}},
                                               {0.6f, {0.06f, 0.09f, 0.3f, 1}},
                                               {1, {0.006f, 0.012f, 0.07f, 1}}};
 
-const struct gradient_named gradients[] = {{"bone", STOPS(BONE)},   {"reef", STOPS(REEF)},     {"ember", STOPS(EMBER)},
-                                           {"glass", STOPS(GLASS)}, {"indigo", STOPS(INDIGO)}, {NULL, {NULL, 0}}};
+#define GRADIENTS(ROW)    ROW("bone", BONE) ROW("reef", REEF) ROW("ember", EMBER) ROW("glass", GLASS) ROW("indigo", INDIGO)
+#define ROW(name, stops)  {name, STOPS(stops)},
+#define NAME(name, stops) name,
+const struct gradient_named gradients[] = {GRADIENTS(ROW){NULL, {NULL, 0}}};
+const char *const gradient_names[] = {GRADIENTS(NAME) NULL};
 
 void gradient_colour(const struct gradient *gradient, float at, float rgba[4])
 {

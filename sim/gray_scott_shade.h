@@ -24,6 +24,7 @@ struct gradient_named {
     struct gradient gradient;
 };
 extern const struct gradient_named gradients[];
+extern const char *const gradient_names[]; /* of them, in their order; ends with NULL */
 
 struct pattern_plane {
     const float *v; /* width * height, row by row */
@@ -57,7 +58,8 @@ struct torus_def {
 };
 /* Tube .45, height .22, no turn, the pattern twice along the ring, tilted by .14. */
 struct torus_def torus_default_def(void);
-/* The pattern around a torus, x along the ring and y around the tube, on black. False when memory is short. */
+/* The pattern around a torus, x along the ring and y around the tube, before the texture, or on black. False when
+ * memory is short. */
 bool gray_scott_torus(const struct pattern_plane *plane, const struct gray_scott_shade_def *def,
                       const struct torus_def *torus, int width, int height, uint8_t *rgb);
 

@@ -5,6 +5,8 @@
 #include "gray_scott_shade.h"
 #include "ink.h"
 
+#define FARTHEST (-1e9f)
+
 enum { RING = 960, TUBE = 480, OVER = 2 };
 
 struct vec {
@@ -146,14 +148,21 @@ static void draw_triangle(const struct canvas *canvas, const struct gray_scott_s
     }
 }
 
-static void shrink(const struct canvas *canvas, int width, int height, uint8_t *rgb)
+/* Where nothing is drawn the texture shows, where there is one. */
+static void shrink(const struct canvas *canvas, const struct gray_scott_shade_def *def, int width, int height,
+                   uint8_t *rgb)
 {
     for (int y = 0; y < height; y++) {
         for (int x = 0; x < width; x++) {
             for (int c = 0; c < 3; c++) {
-                float sum = 0;
+                float sum = 0, behind = 0;
+                if (def->texture) {
+                    behind =
+                        def->texture[3 * (y % def->texture_height * def->texture_width + x % def->texture_width) + c];
+                }
                 for (int k = 0; k < OVER * OVER; k++) {
-                    sum += canvas->rgb[3 * ((y * OVER + k / OVER) * canvas->width + x * OVER + k % OVER) + c];
+                    int at = (y * OVER + k / OVER) * canvas->width + x * OVER + k % OVER;
+                    sum += canvas->depth[at] > FARTHEST ? canvas->rgb[3 * at + c] : behind;
                 }
                 float value = 255 * ink_encode(sum / (OVER * OVER));
                 rgb[3 * (y * width + x) + c] = (uint8_t)(value < 0 ? 0 : value > 254.5f ? 255 : value + 0.5f);
@@ -173,7 +182,7 @@ bool gray_scott_torus(const struct pattern_plane *plane, const struct gray_scott
     bool good = canvas.depth && canvas.rgb && canvas.corners;
     if (good) {
         for (size_t i = 0; i < pixels; i++) {
-            canvas.depth[i] = -1e9f;
+            canvas.depth[i] = FARTHEST;
         }
         place_corners(plane, def, torus, canvas.corners);
         for (int j = 0; j < TUBE; j++) {
@@ -185,7 +194,7 @@ bool gray_scott_torus(const struct pattern_plane *plane, const struct gray_scott
                 draw_triangle(&canvas, def, (const struct corner *const[]){b, d, c});
             }
         }
-        shrink(&canvas, width, height, rgb);
+        shrink(&canvas, def, width, height, rgb);
     }
     free(canvas.depth);
     free(canvas.rgb);

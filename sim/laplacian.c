@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "laplacian_boundary.h"
 #include "laplacian_state.h"
 
 static const float OFF_GRID_SPACING = 0.7f;
@@ -33,23 +34,6 @@ static bool are_finite(const float *values, int count)
     return true;
 }
 
-static bool is_good_charge(const struct laplacian_charge *charge, int dimensions)
-{
-    float length = 0;
-    for (int d = 0; d < dimensions; d++) {
-        length += charge->along[d] * charge->along[d];
-    }
-    if ((int)charge->shape < 0 || charge->shape >= LAPLACIAN_SHAPES || !isfinite(charge->charge) ||
-        !isfinite(charge->radius)) {
-        return false;
-    }
-    if (charge->shape == LAPLACIAN_STROKE) {
-        return dimensions <= 3 && charge->path && charge->path_count > 0 &&
-               are_finite(charge->path, charge->path_count * dimensions);
-    }
-    return are_finite(charge->at, dimensions) && (charge->shape == LAPLACIAN_POINT || (isfinite(length) && length > 0));
-}
-
 static bool is_good_raster(const struct action_raster *raster)
 {
     return !raster->values || (raster->width > 0 && raster->height > 0);
@@ -71,11 +55,12 @@ static bool is_good(const struct laplacian_def *def)
         }
     }
     if (!is_good_raster(&def->mask) || !is_good_raster(&def->eta_map) || !is_good_raster(&def->outline) ||
-        !is_good_raster(&def->environment) || (def->environment.values && def->dimensions > 3)) {
+        !is_good_raster(&def->environment) || !is_good_raster(&def->background) ||
+        (def->environment.values && def->dimensions > 3)) {
         return false;
     }
     for (int i = 0; i < def->charge_count; i++) {
-        if (!is_good_charge(&def->charges[i], def->dimensions)) {
+        if (!laplacian_charge_is_good(&def->charges[i], def->dimensions)) {
             return false;
         }
     }
@@ -347,11 +332,22 @@ float laplacian_potential(struct laplacian *laplacian, const float *at)
     return (float)laplacian->count - 0.5f * laplacian_load_now(laplacian, at, rate);
 }
 
+/* What is around has another weight: all candidates are weighed anew. */
+static void add_static_loads(struct laplacian *laplacian, float sign)
+{
+    for (int32_t i = 0; i < laplacian->candidates; i++) {
+        float at[LAPLACIAN_DIMENSIONS_MAX];
+        laplacian_candidate_at(laplacian, i, at);
+        laplacian->load[i] += sign * laplacian_static_load(laplacian, at);
+    }
+    laplacian->weighed = false;
+}
+
 bool laplacian_charge(struct laplacian *laplacian, const struct laplacian_charge *charges, int count)
 {
     struct laplacian_charge *copy = malloc(((size_t)count + 1) * sizeof *copy);
     for (int i = 0; i < count && copy; i++) {
-        if (!is_good_charge(&charges[i], laplacian->def.dimensions)) {
+        if (!laplacian_charge_is_good(&charges[i], laplacian->def.dimensions)) {
             free(copy);
             return false;
         }
@@ -360,22 +356,28 @@ bool laplacian_charge(struct laplacian *laplacian, const struct laplacian_charge
     if (!copy) {
         return false;
     }
-    for (int32_t i = 0; i < laplacian->candidates; i++) {
-        float at[LAPLACIAN_DIMENSIONS_MAX];
-        laplacian_candidate_at(laplacian, i, at);
-        laplacian->load[i] -= laplacian_static_load(laplacian, at);
-    }
+    add_static_loads(laplacian, -1);
     free(laplacian->charges);
     laplacian->charges = copy;
     laplacian->def.charges = copy;
     laplacian->def.charge_count = count;
-    for (int32_t i = 0; i < laplacian->candidates; i++) {
-        float at[LAPLACIAN_DIMENSIONS_MAX];
-        laplacian_candidate_at(laplacian, i, at);
-        laplacian->load[i] += laplacian_static_load(laplacian, at);
-    }
-    laplacian->weighed = false;
+    add_static_loads(laplacian, 1);
     return true;
+}
+
+void laplacian_background(struct laplacian *laplacian, const struct action_raster *background)
+{
+    add_static_loads(laplacian, -1);
+    laplacian->def.background = background ? *background : (struct action_raster){0};
+    add_static_loads(laplacian, 1);
+}
+
+void laplacian_eta(struct laplacian *laplacian, float eta)
+{
+    laplacian->def.eta = eta >= 0 ? fminf(eta, 20) : 0; /* NaN becomes the least */
+    laplacian->def.eta_end = -1;
+    laplacian->eta_varies = laplacian->def.eta_map.values;
+    laplacian->weighed = false;
 }
 
 int32_t laplacian_candidates(const struct laplacian *laplacian)

@@ -40,7 +40,7 @@ extern const char *const laplacian_status_names[LAPLACIAN_STATUSES];
 extern const char *const laplacian_method_names[LAPLACIAN_METHODS + 1]; /* ends with NULL */
 
 enum laplacian_shape {
-    LAPLACIAN_POINT,    /* at */
+    LAPLACIAN_POINT,    /* at; within `radius` it is what it is there */
     LAPLACIAN_LINE,     /* without end, through `at` along `along` */
     LAPLACIAN_PLANE,    /* through `at`, upright on `along`; 1 / distance, as section IV.A has it */
     LAPLACIAN_CYLINDER, /* without end, about the line, of `radius` */
@@ -53,7 +53,7 @@ struct laplacian_charge {
     enum laplacian_shape shape;
     float charge; /* of a particle; above 0 attracts, below 0 repels */
     float at[LAPLACIAN_DIMENSIONS_MAX], along[LAPLACIAN_DIMENSIONS_MAX];
-    float radius;
+    float radius;      /* of a cylinder; of a point 0 or more */
     const float *path; /* path_count places of as many coordinates as there are dimensions; owned by the caller */
     int path_count;
     bool ends; /* growth that comes within 1.5 cells of it is complete */
@@ -78,6 +78,8 @@ struct laplacian_def {
     int harmonics;
     float environment_radius, environment_strength;
     struct action_raster mask, eta_map, outline, environment;
+    struct action_raster background; /* of many charges that lie around: the sum of 1 / distance, those that attract
+                                        less than 0; over the same rectangle as the mask. None: no values */
     const struct laplacian_charge *charges; /* copied, paths are not */
     int charge_count;
     const struct laplacian_seed *seeds; /* copied; none, and no outline: a charge at the origin */
@@ -113,6 +115,11 @@ float laplacian_potential(struct laplacian *laplacian, const float *at);
 
 /* Other attractors and repulsors from now on. False when memory is short: nothing has changed then. */
 bool laplacian_charge(struct laplacian *laplacian, const struct laplacian_charge *charges, int count);
+
+/* Another background from now on, or none. */
+void laplacian_background(struct laplacian *laplacian, const struct action_raster *background);
+/* Another eta from now on, 0..20, whatever is done. */
+void laplacian_eta(struct laplacian *laplacian, float eta);
 
 /* For tests and benches: candidates, what is known of each, and a choice that is not grown. */
 int32_t laplacian_candidates(const struct laplacian *laplacian);

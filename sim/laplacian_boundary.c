@@ -1,4 +1,6 @@
 /* Attractors, repulsors, environment and rasters. */
+#include "laplacian_boundary.h"
+
 #include <math.h>
 
 #include "exponential.h"
@@ -83,7 +85,7 @@ static float distance_of(const struct laplacian_charge *charge, const float *at,
     switch (charge->shape) {
     case LAPLACIAN_POINT:
         aside = sqrtf(squared_distance(at, charge->at, dimensions));
-        *green = point_green(aside, dimensions);
+        *green = point_green(aside > charge->radius ? aside : charge->radius, dimensions);
         return aside;
     case LAPLACIAN_PLANE:
         split(charge, at, dimensions, &along, &aside);
@@ -105,14 +107,54 @@ static float distance_of(const struct laplacian_charge *charge, const float *at,
     }
 }
 
-float laplacian_static_load(const struct laplacian *laplacian, const float *at)
+static bool are_finite(const float *values, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (!isfinite(values[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool laplacian_charge_is_good(const struct laplacian_charge *charge, int dimensions)
+{
+    float length = 0;
+    for (int d = 0; d < dimensions; d++) {
+        length += charge->along[d] * charge->along[d];
+    }
+    if ((int)charge->shape < 0 || charge->shape >= LAPLACIAN_SHAPES || !isfinite(charge->charge) ||
+        !isfinite(charge->radius)) {
+        return false;
+    }
+    if (charge->shape == LAPLACIAN_STROKE) {
+        return dimensions <= 3 && charge->path && charge->path_count > 0 &&
+               are_finite(charge->path, charge->path_count * dimensions);
+    }
+    return are_finite(charge->at, dimensions) && (charge->shape == LAPLACIAN_POINT || (isfinite(length) && length > 0));
+}
+
+float laplacian_charges_load(const struct laplacian_charge *charges, int count, int dimensions, const float *at)
 {
     float load = 0, green;
-    for (int i = 0; i < laplacian->def.charge_count; i++) {
-        (void)distance_of(&laplacian->charges[i], at, laplacian->def.dimensions, &green);
-        load -= laplacian->charges[i].charge * green;
+    for (int i = 0; i < count; i++) {
+        (void)distance_of(&charges[i], at, dimensions, &green);
+        load -= charges[i].charge * green;
     }
     return load;
+}
+
+float laplacian_charge_distance(const struct laplacian_charge *charge, int dimensions, const float *at)
+{
+    float green;
+    return distance_of(charge, at, dimensions, &green);
+}
+
+float laplacian_static_load(const struct laplacian *laplacian, const float *at)
+{
+    const struct laplacian_def *def = &laplacian->def;
+    float load = laplacian_charges_load(laplacian->charges, def->charge_count, def->dimensions, at);
+    return def->background.values ? load + laplacian_raster(laplacian, &def->background, at) : load;
 }
 
 bool laplacian_touches(const struct laplacian *laplacian, const float *at)

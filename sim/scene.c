@@ -22,6 +22,12 @@ enum scene_kind scene_kind_of(enum action_verb verb)
     return (enum scene_kind)kind;
 }
 
+bool scene_takes(enum scene_kind kind, enum action_verb verb)
+{
+    bool all = verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_CLEAR || verb == ACTION_RINSE;
+    return all || scene_kind_of(verb) == kind;
+}
+
 int scene_field_channels(enum scene_field field)
 {
     return field == FIELD_ALONG ? 2 : 1;

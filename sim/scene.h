@@ -36,6 +36,14 @@ enum scene_field {
 };
 extern const char *const scene_field_names[SCENE_FIELDS + 1]; /* "dark", "along", "around"; ends with NULL */
 
+/* A figure of a scene, for those who measure: a number, or a word. */
+struct scene_figure {
+    const char *name;
+    const char *word; /* NULL: it is the number */
+    double number;
+};
+enum { SCENE_FIGURES = 32 };
+
 struct scene_type {
     const char *name;                     /* as of scene_kind_names */
     const struct key *options;            /* what can be set, over struct garden_def's growth, storm_def, dish_def */
@@ -54,11 +62,19 @@ struct scene_type {
     /* Fills channels * width * height values, channel by channel, rounded to 1/65536. False when memory is short. */
     bool (*field)(void *scene, enum scene_field field, int width, int height, float *values);
     uint64_t (*hash)(const void *scene); /* of all that decides what it looks like, for tests */
+    /* Those below may be NULL. Planes of its own model, for files: "u", "v"; ends with NULL; and filling width * height
+     * values with one. False when memory is short. */
+    const char *const *planes;
+    bool (*plane)(void *scene, int plane, int width, int height, float *values);
+    /* Figures of it, at most SCENE_FIGURES; how many. The scene stays as it is. */
+    int (*figures)(const void *scene, struct scene_figure *figures);
 };
 /* By kind; NULL for SCENE_PAINTING. */
 extern const struct scene_type *const scene_types[SCENE_KINDS];
 /* The kind that a verb is for alone, or SCENE_PAINTING. */
 enum scene_kind scene_kind_of(enum action_verb verb);
+/* Whether an action is for scenes of a kind: what is for that kind alone, and what washes, clears and takes back. */
+bool scene_takes(enum scene_kind kind, enum action_verb verb);
 /* 1, or 2 for FIELD_ALONG. */
 int scene_field_channels(enum scene_field field);
 

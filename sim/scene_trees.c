@@ -3,7 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "along.h"
 #include "garden.h"
+#include "importance.h"
+#include "lattice.h"
 
 struct trees {
     struct garden *garden;
@@ -35,6 +38,12 @@ static void *create(int width, int height)
         trees = NULL;
     }
     return trees;
+}
+
+struct garden *trees_garden(void *scene)
+{
+    struct trees *trees = scene;
+    return trees->garden;
 }
 
 static void resize(void *scene, int width, int height)
@@ -106,17 +115,39 @@ static bool field_dark(struct trees *trees, int width, int height, float *values
     return good;
 }
 
-/* TODO along, around. */
+/* By births: a stroke comes from its root to its tip. */
+static bool field_along(struct trees *trees, int width, int height, float *values)
+{
+    return paint(trees, width, height) && along_of_births(trees->plate.birth, width, height, values);
+}
+
+/* The importance of the picture, where there is one. */
+static void field_around(const struct trees *trees, int width, int height, float *values)
+{
+    struct garden_plan plan;
+    bool has = garden_get_plan(trees->garden, &plan);
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            int node_x = has ? (int)((int64_t)x * plan.lattice->width / width) : 0;
+            int node_y = has ? (int)((int64_t)y * plan.lattice->height / height) : 0;
+            float value = has ? importance_at(plan.importance, (float)node_x, (float)node_y) : 0;
+            values[y * width + x] = nearbyintf(value * 65536) / 65536;
+        }
+    }
+}
+
 static bool field(void *scene, enum scene_field which, int width, int height, float *values)
 {
     struct trees *trees = scene;
-    if (which == FIELD_DARK) {
+    switch (which) {
+    case FIELD_DARK:
         return field_dark(trees, width, height, values);
+    case FIELD_ALONG:
+        return field_along(trees, width, height, values);
+    default:
+        field_around(trees, width, height, values);
+        return true;
     }
-    for (int i = 0; i < width * height * scene_field_channels(which); i++) {
-        values[i] = 0;
-    }
-    return true;
 }
 
 static uint64_t hash(const void *scene)

@@ -6,4 +6,8 @@
 
 extern const struct scene_type trees_type;
 
+struct garden;
+/* The garden of a scene of this kind, the scene's. */
+struct garden *trees_garden(void *scene);
+
 #endif

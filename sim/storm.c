@@ -1,51 +1,179 @@
 #include "storm.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-const struct key storm_keys[] = {
-    {.name = "kind",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .choices = bolt_kind_names,
-     .offset = offsetof(struct storm_def, kind),
-     .meaning = "What grows; another brings its own values of all others."},
-    {.name = "eta",
-     .type = KEY_NUMBER,
-     .unit = "",
-     .min = 0,
-     .max = 20,
-     .initial = 3,
-     .offset = offsetof(struct storm_def, eta),
-     .meaning = "How much growth prefers what stands out: 0 a round lump, 10 almost a line."},
-    {.name = NULL},
-};
-
-struct storm {
-    struct storm_def def;
-};
-
-struct storm_def storm_preset(enum bolt_kind kind)
-{
-    struct storm_def def = {0};
-    key_defaults(storm_keys, &def);
-    def.kind = (int)kind;
-    return def;
-}
-
-void storm_take(struct storm_def *def, int key, float value)
-{
-    key_take(&storm_keys[key], def, value);
-}
+#include "storm_state.h"
 
 struct storm *storm_create(int width, int height)
 {
-    (void)width, (void)height;
-    return calloc(1, sizeof(struct storm));
+    struct storm *storm = calloc(1, sizeof *storm);
+    if (storm) {
+        storm->def = storm_preset(BOLT_LIGHTNING);
+        storm->width = width > 1 ? width : 1;
+        storm->height = height > 1 ? height : 1;
+        if (!storm_lattice_init(storm)) {
+            storm_destroy(storm);
+            storm = NULL;
+        }
+    }
+    return storm;
 }
 
 void storm_destroy(struct storm *storm)
 {
-    free(storm);
+    if (storm) {
+        for (int slot = 0; slot < STORM_SLOTS; slot++) {
+            storm_bolt_free(&storm->bolts[slot]);
+        }
+        storm_lattice_finish(storm);
+        free(storm->segments);
+        free(storm->owners);
+        free(storm);
+    }
+}
+
+static void dress_all(struct storm *storm)
+{
+    for (int slot = 0; slot < STORM_SLOTS; slot++) {
+        if (storm->bolts[slot].lives) {
+            storm_dress(storm, slot);
+        }
+    }
+}
+
+void storm_resize(struct storm *storm, int width, int height)
+{
+    width = width > 1 ? width : 1;
+    height = height > 1 ? height : 1;
+    if (width == storm->width && height == storm->height) {
+        return;
+    }
+    storm->width = width; /* the lattice and the mask are in shares of the sheet, bolts in their own cells */
+    storm->height = height;
+    storm->strokes_changed = true;
+    for (int slot = 0; slot < STORM_SLOTS; slot++) {
+        struct storm_bolt *bolt = &storm->bolts[slot];
+        bool complete = bolt->complete;
+        bolt->complete = true; /* so that nothing is kept as it was */
+        if (bolt->lives) {
+            storm_dress(storm, slot);
+        }
+        bolt->complete = complete;
+    }
+    for (int i = 0; i < storm->count; i++) { /* restrikes go: they are short */
+        storm->segments[i].heat = storm->owners[i].again ? 0 : storm->segments[i].heat;
+    }
+    storm_touch(storm, 0);
+}
+
+static void clear(struct storm *storm)
+{
+    for (int slot = 0; slot < STORM_SLOTS; slot++) {
+        storm_bolt_free(&storm->bolts[slot]);
+    }
+    memset(storm->hands, 0, sizeof storm->hands);
+    memset(storm->strokes, 0, sizeof storm->strokes);
+    for (int i = 0; i < storm->mask_columns * storm->mask_rows; i++) {
+        storm->mask[i] = 1;
+    }
+    storm->hands_changed++;
+    storm->strokes_changed = true;
+    storm->count = 0;
+    storm->since = 0;
+}
+
+static void conduct(struct storm *storm, const struct action *action)
+{
+    struct storm_def was = storm->def;
+    storm_take(&storm->def, action->option, action->value);
+    const struct storm_def *def = &storm->def;
+    for (int slot = 0; slot < STORM_SLOTS && def->kind == was.kind && def->eta != was.eta; slot++) {
+        if (storm->bolts[slot].laplacian) {
+            laplacian_eta(storm->bolts[slot].laplacian, def->eta);
+        }
+    }
+    if (def->thickness != was.thickness) {
+        dress_all(storm);
+    }
+    storm->changed += def->repel != was.repel;
+}
+
+static void take(struct storm *storm, const struct action *action)
+{
+    switch (action->verb) {
+    case ACTION_STRIKE:
+        storm_strike(storm, action);
+        break;
+    case ACTION_ATTRACT:
+        storm_attract(storm, action);
+        break;
+    case ACTION_CONDUCT:
+        conduct(storm, action);
+        break;
+    case ACTION_MASK:
+    case ACTION_UNMASK:
+        storm_mask(storm, action);
+        break;
+    case ACTION_RINSE:
+        storm_rinse(storm, action);
+        break;
+    case ACTION_CLEAR:
+        clear(storm);
+        break;
+    case ACTION_UNDO:
+        storm_undo(storm, action->visitor);
+        break;
+    case ACTION_REDO:
+        storm_redo(storm, action->visitor);
+        break;
+    default:
+        break;
+    }
+}
+
+static void go_to(struct storm *storm, int64_t tick)
+{
+    storm->origin = storm->begun ? storm->origin : tick;
+    storm->now = storm->begun && tick < storm->now ? storm->now : tick;
+    storm->begun = true;
+}
+
+void storm_act(struct storm *storm, int64_t tick, const struct action *action)
+{
+    struct action legal = action_legal(action);
+    go_to(storm, tick);
+    take(storm, &legal);
+}
+
+bool storm_tick(struct storm *storm, int64_t tick)
+{
+    go_to(storm, tick);
+    storm_rebase(storm);
+    storm_grow(storm);
+    bool good = !storm->failed;
+    storm->failed = false;
+    return good;
+}
+
+struct storm_def storm_get_def(const struct storm *storm)
+{
+    return storm->def;
+}
+
+bool storm_is_calm(const struct storm *storm, int64_t tick)
+{
+    bool calm = true, deep = false;
+    for (int slot = 0; slot < STORM_SLOTS; slot++) {
+        const struct storm_bolt *bolt = &storm->bolts[slot];
+        bool fades = bolt->lives && bolt->gone < STORM_AGES;
+        calm = calm && !storm_bolt_grows(bolt) && !fades;
+        deep = deep || bolt->lives;
+    }
+    bool turns = deep && storm->def.dimensions == 3 && storm->def.turn != 0;
+    bool flashes = storm->flash > 0 && tick - storm->flashed < STORM_FLASH;
+    return calm && !turns && !flashes && !storm->strokes_changed;
 }
 
 static bool takes(enum action_verb verb)
@@ -65,39 +193,47 @@ static void destroy(void *scene)
 
 static void resize(void *scene, int width, int height)
 {
-    (void)scene, (void)width, (void)height;
+    storm_resize(scene, width, height);
 }
 
 static void act(void *scene, int64_t tick, const struct action *action)
 {
-    (void)scene, (void)tick, (void)action;
+    storm_act(scene, tick, action);
 }
 
 static bool tick(void *scene, int64_t now)
 {
-    (void)scene, (void)now;
-    return true;
+    return storm_tick(scene, now);
 }
 
-static uint64_t can(const void *scene)
+static uint64_t can_undo(const void *scene)
 {
-    (void)scene;
-    return 0;
+    return storm_visitors(scene, false);
 }
 
+static uint64_t can_redo(const void *scene)
+{
+    return storm_visitors(scene, true);
+}
+
+/* Leaves it to others to ask what has changed since they did. */
 static bool lay(void *scene, int64_t now, int width, int height, uint8_t *rgb)
 {
-    (void)scene, (void)now, (void)width, (void)height, (void)rgb;
-    return true;
+    struct storm *storm = scene;
+    int since = storm->since, ignored;
+    struct bolt_view view = storm_view(storm, now, &ignored);
+    storm->since = since;
+    return bolt_light_lay(&view, (double)now, width, height, rgb);
 }
 
 static bool field(void *scene, enum scene_field which, int width, int height, float *values)
 {
-    (void)scene;
-    for (int i = 0; i < width * height * scene_field_channels(which); i++) {
-        values[i] = 0;
-    }
-    return true;
+    return storm_field(scene, which, width, height, values);
+}
+
+static uint64_t hash(const void *scene)
+{
+    return storm_hash(scene);
 }
 
 const struct scene_type storm_type = {
@@ -110,9 +246,9 @@ const struct scene_type storm_type = {
     .resize = resize,
     .act = act,
     .tick = tick,
-    .can_undo = can,
-    .can_redo = can,
+    .can_undo = can_undo,
+    .can_redo = can_redo,
     .lay = lay,
     .field = field,
-    .hash = can,
+    .hash = hash,
 };

@@ -9,6 +9,7 @@ const struct command commands[] = {
     {"run", "[EXHIBIT]", "the kiosk: an exhibit, or a session, live on what is there", command_run},
     {"render", "SCRIPT -o FILE.png", "a session without a display", command_render},
     {"grow", "PICTURE -o FILE.png", "a dendrite or a tree in which a picture can be seen", command_grow},
+    {"bolt", "-o FILE.png", "lightning, coral, rivers and the like: pictures, meshes, heights", command_bolt},
     {"replay", "JOURNAL -o FILE.png", "a painting again, from its journal: picture, print, film", command_replay},
     {"check", "FILE...", "prints every problem of exhibits, sessions and inputs files", command_check},
     {"explain", "[KEY]", "every key of exhibits and sessions: type, range, default, meaning", command_explain},

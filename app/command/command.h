@@ -25,6 +25,7 @@ int command_bench(int argc, char *argv[]);
 int command_devices(int argc, char *argv[]);
 int command_report(int argc, char *argv[]);
 int command_run(int argc, char *argv[]);
+int command_bolt(int argc, char *argv[]);
 int command_grow(int argc, char *argv[]);
 
 /* Finds the command in argv[1] and runs it; --help and --version are its own. */

@@ -1,5 +1,6 @@
 #include <getopt.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "command.h"
 #include "exhibit.h"
@@ -7,13 +8,16 @@
 #include "growth.h"
 #include "inputs.h"
 #include "option.h"
+#include "pictures.h"
 #include "script_value.h"
 
 static const char HELP[] =
-    "usage: frond explain [KEY]\n\n"
+    "usage: frond explain [KEY]\n"
+    "       frond explain graph EXHIBIT [--json | --dot]\n\n"
     "Every key of exhibits, session scripts and inputs files: type, range, unit, default and meaning. KEY is\n"
     "a key (radius), a key with its place (drop.radius), a verb (drop), a section (canvas; exhibit, inputs:\n"
-    "all of such a file), or the name of a coefficient, a brush, an ink or a palette.\n";
+    "all of such a file), or the name of a coefficient, a brush, an ink or a palette.\n\n"
+    "graph draws which scenes of an exhibit feed which: as boxes and arrows, as JSON, or for Graphviz.\n";
 
 static struct names names_of_tables(const struct inputs_table *tables)
 {
@@ -43,26 +47,68 @@ static void suggest(const char *asked)
             names_allowed(&names, asked, allowed, sizeof allowed));
 }
 
-int command_explain(int argc, char *argv[])
+typedef void drawing(const struct graph *graph, FILE *out);
+
+static int explain_graph(const char *path, drawing *draw)
 {
-    static const struct option options[] = {{"help", no_argument, NULL, 'h'}, {NULL, 0, NULL, 0}};
-    int option;
-    optind = 0;
-    while ((option = getopt_long(argc, argv, ":h", options, NULL)) != -1) {
-        if (option != 'h') {
-            return option_usage("explain", option, argv);
-        }
-        fputs(HELP, stdout);
-        return EXIT_STATUS_GOOD;
+    struct script_def def = script_default_def();
+    struct report report;
+    def.load = pictures_load;
+    report_init(&report, path);
+    struct exhibit *exhibit = exhibit_read(path, &def, &report);
+    if (exhibit) {
+        struct graph graph = exhibit_graph(exhibit);
+        draw(&graph, stdout);
+    } else {
+        report_print(&report, stderr);
     }
-    if (argc - optind > 1) {
-        fprintf(stderr, "frond explain: one key at a time; see frond explain --help\n");
+    exhibit_destroy(exhibit);
+    report_finish(&report);
+    return exhibit ? EXIT_STATUS_GOOD : EXIT_STATUS_FAILED;
+}
+
+/* KEY, or graph EXHIBIT. */
+static int explain_words(int count, char *words[], drawing *draw)
+{
+    if (count > 0 && strcmp(words[0], "graph") == 0) {
+        if (count == 2) {
+            return explain_graph(words[1], draw ? draw : graph_draw);
+        }
+        fprintf(stderr, "frond explain graph: %s; see frond explain --help\n",
+                count < 2 ? "no exhibit is given" : "one exhibit at a time");
         return EXIT_STATUS_USAGE;
     }
-    const char *asked = optind < argc ? argv[optind] : NULL;
+    if (count > 1 || draw) {
+        fprintf(stderr, "frond explain: %s; see frond explain --help\n",
+                count > 1 ? "one key at a time" : "--json and --dot are for graph EXHIBIT");
+        return EXIT_STATUS_USAGE;
+    }
+    const char *asked = count > 0 ? words[0] : NULL;
     if (!explain(asked, stdout)) {
         suggest(asked);
         return EXIT_STATUS_USAGE;
     }
     return EXIT_STATUS_GOOD;
+}
+
+int command_explain(int argc, char *argv[])
+{
+    static const struct option options[] = {{"help", no_argument, NULL, 'h'},
+                                            {"json", no_argument, NULL, 'j'},
+                                            {"dot", no_argument, NULL, 'd'},
+                                            {NULL, 0, NULL, 0}};
+    drawing *draw = NULL;
+    int option;
+    optind = 0;
+    while ((option = getopt_long(argc, argv, ":h", options, NULL)) != -1) {
+        if (option == 'j' || option == 'd') {
+            draw = option == 'j' ? graph_draw_json : graph_draw_dot;
+        } else if (option != 'h') {
+            return option_usage("explain", option, argv);
+        } else {
+            fputs(HELP, stdout);
+            return EXIT_STATUS_GOOD;
+        }
+    }
+    return explain_words(argc - optind, argv + optind, draw);
 }

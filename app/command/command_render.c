@@ -1,16 +1,22 @@
 #include <getopt.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "command.h"
+#include "exhibit.h"
+#include "feeder.h"
 #include "option.h"
 #include "picture.h"
 #include "pictures.h"
 #include "plan.h"
 #include "render.h"
+#include "script_value.h"
 
-static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n"
-                           "Renders a session script without a display.\n\n"
+static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n"
+                           "       frond render EXHIBIT --scene ID -o FILE.png [OPTIONS]\n\n"
+                           "Renders a session script without a display; or a scene of an exhibit, as it grows by\n"
+                           "itself, with what other scenes give it.\n\n"
                            "  -o, --output FILE.png  the picture at the end of the session\n"
                            "      --size WxH         pixels of the picture; a pixel a cell if left out\n"
                            "      --frames DIR       pictures on the way: DIR/000010.png, numbered by tick\n"
@@ -21,6 +27,7 @@ static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n\n
                            "      --svg FILE.svg         the branches as strokes in millimetres, for plotters and\n"
                            "                             embroidery\n"
                            "      --paper MM             width of its sheet; 200 if left out\n"
+                           "      --scene ID         the scene of the exhibit\n"
                            "      --seed N           instead of the script's\n"
                            "      --ticks N          instead of the script's\n"
                            "      --engine KIND      cpu (if left out), gpu, or auto: the faster on this machine.\n"
@@ -45,13 +52,14 @@ enum {
     ENGINE,
     SHADERS,
     JOURNAL,
+    SCENE,
     HELP_ASKED,
     THREADS_MAX = 64
 };
 
 struct order {
     struct render_def def;
-    const char *script;
+    const char *script, *scene;
     int seed, ticks; /* -1: the script's */
 };
 
@@ -118,6 +126,9 @@ static int take_option(struct order *order, int option)
             return wrong("seed", optarg, "0 to 2147483647");
         }
         break;
+    case SCENE:
+        order->scene = optarg;
+        break;
     case TICKS:
         if (!option_whole(optarg, 0, SCRIPT_TICKS_MAX, &order->ticks)) {
             return wrong("ticks", optarg, "0 to 10000000 ticks");
@@ -137,23 +148,16 @@ static int take_option(struct order *order, int option)
 /* Reads the command line. False when that was all, with the exit status. */
 static bool read_order(int argc, char *argv[], struct order *order, int *status)
 {
-    static const struct option options[] = {{"output", required_argument, NULL, 'o'},
-                                            {"size", required_argument, NULL, SIZE},
-                                            {"frames", required_argument, NULL, FRAMES},
-                                            {"every", required_argument, NULL, EVERY},
-                                            {"fields", required_argument, NULL, FIELDS},
-                                            {"stats", required_argument, NULL, STATS},
-                                            {"svg", required_argument, NULL, SVG},
-                                            {"paper", required_argument, NULL, PAPER},
-                                            {"seed", required_argument, NULL, SEED},
-                                            {"ticks", required_argument, NULL, TICKS},
-                                            {"threads", required_argument, NULL, THREADS},
-                                            {"dense", no_argument, NULL, DENSE},
-                                            {"engine", required_argument, NULL, ENGINE},
-                                            {"shaders", required_argument, NULL, SHADERS},
-                                            {"journal", required_argument, NULL, JOURNAL},
-                                            {"help", no_argument, NULL, HELP_ASKED},
-                                            {NULL, 0, NULL, 0}};
+    static const struct option options[] = {
+        {"output", required_argument, NULL, 'o'},      {"size", required_argument, NULL, SIZE},
+        {"frames", required_argument, NULL, FRAMES},   {"every", required_argument, NULL, EVERY},
+        {"fields", required_argument, NULL, FIELDS},   {"stats", required_argument, NULL, STATS},
+        {"svg", required_argument, NULL, SVG},         {"paper", required_argument, NULL, PAPER},
+        {"seed", required_argument, NULL, SEED},       {"ticks", required_argument, NULL, TICKS},
+        {"threads", required_argument, NULL, THREADS}, {"dense", no_argument, NULL, DENSE},
+        {"engine", required_argument, NULL, ENGINE},   {"shaders", required_argument, NULL, SHADERS},
+        {"journal", required_argument, NULL, JOURNAL}, {"scene", required_argument, NULL, SCENE},
+        {"help", no_argument, NULL, HELP_ASKED},       {NULL, 0, NULL, 0}};
     int option;
     optind = 0;
     while ((option = getopt_long(argc, argv, ":o:h", options, NULL)) != -1) {
@@ -181,6 +185,59 @@ static bool read_order(int argc, char *argv[], struct order *order, int *status)
     return true;
 }
 
+static bool render_script(const struct order *order, struct script *script, struct file_error *error)
+{
+    char what[96];
+    const char *slash = strrchr(order->script, '/');
+    snprintf(what, sizeof what, "%.80s", slash ? slash + 1 : order->script);
+    struct progress progress = progress_start(what, stderr);
+    script->seed = order->seed >= 0 ? order->seed : script->seed;
+    script->ticks = order->ticks >= 0 ? order->ticks : script->ticks;
+    return render(script, &order->def, &progress, error);
+}
+
+/* The scene of that id; -1, and said on stderr, where there is none. */
+static int find_scene(const struct exhibit *exhibit, const char *id)
+{
+    struct names names = {.count = 0};
+    char allowed[800];
+    for (int i = 0; i < exhibit->scene_count; i++) {
+        names.names[names.count++] = exhibit->scenes[i].id;
+    }
+    int found = names_find(&names, id);
+    if (found < 0) {
+        fprintf(stderr, "frond render: --scene: no scene is called '%s'; %s\n", id,
+                names_allowed(&names, id, allowed, sizeof allowed));
+    }
+    return found;
+}
+
+static int render_exhibit(const struct order *order, const struct script_def *def, struct report *report)
+{
+    struct exhibit *exhibit = exhibit_read(order->script, def, report);
+    int scene = exhibit ? find_scene(exhibit, order->scene) : -1;
+    struct feeder *feeder = feeder_create(&(struct feeder_def){exhibit, *def, order->def.threads, NULL});
+    struct feeder_session *session = calloc(1, sizeof *session);
+    struct file_error error;
+    bool good = scene >= 0 && ((feeder && session) || file_fail(&error, order->script, "memory is short"));
+    if (good) {
+        good = feeder_open(feeder, scene, exhibit->scenes[scene].script->ticks, session, &error) &&
+               render_script(order, &session->script, &error);
+    }
+    if (scene >= 0 && !good) {
+        fprintf(stderr, "frond render: %s\n", error.text);
+    } else if (!exhibit) {
+        report_print(report, stderr);
+    }
+    if (session) {
+        feeder_close(session);
+    }
+    free(session);
+    feeder_destroy(feeder);
+    exhibit_destroy(exhibit);
+    return good ? EXIT_STATUS_GOOD : exhibit && scene < 0 ? EXIT_STATUS_USAGE : EXIT_STATUS_FAILED;
+}
+
 int command_render(int argc, char *argv[])
 {
     struct order order = {.def = render_default_def(), .seed = -1, .ticks = -1};
@@ -192,23 +249,20 @@ int command_render(int argc, char *argv[])
     def.load = pictures_load;
     struct report report;
     report_init(&report, order.script);
+    if (order.scene) {
+        status = render_exhibit(&order, &def, &report);
+        report_finish(&report);
+        return status;
+    }
     struct script *script = script_read(order.script, &def, &report);
     struct file_error error;
     status = EXIT_STATUS_FAILED;
     if (!script) {
         report_print(&report, stderr);
+    } else if (render_script(&order, script, &error)) {
+        status = EXIT_STATUS_GOOD;
     } else {
-        char what[96];
-        const char *slash = strrchr(order.script, '/');
-        snprintf(what, sizeof what, "%.80s", slash ? slash + 1 : order.script);
-        struct progress progress = progress_start(what, stderr);
-        script->seed = order.seed >= 0 ? order.seed : script->seed;
-        script->ticks = order.ticks >= 0 ? order.ticks : script->ticks;
-        if (render(script, &order.def, &progress, &error)) {
-            status = EXIT_STATUS_GOOD;
-        } else {
-            fprintf(stderr, "frond render: %s\n", error.text);
-        }
+        fprintf(stderr, "frond render: %s\n", error.text);
     }
     script_destroy(script);
     report_finish(&report);

@@ -3,13 +3,16 @@
 #include <string.h>
 
 #include "action.h"
+#include "bolt_order.h"
 #include "brush.h"
 #include "exhibit.h"
 #include "grow.h"
 #include "ink.h"
 #include "inputs.h"
 #include "script.h"
+#include "script_session.h"
 #include "script_structure.h"
+#include "script_text.h"
 #include "script_value.h"
 #include "vision.h"
 
@@ -190,9 +193,16 @@ static void explain_tables(struct explaining *explaining, const struct inputs_ta
     explaining->asked = asked;
 }
 
+/* Of the sections of scenes that are no paintings. */
+static const char *const ABOUT_OPTIONS[SCENE_KINDS] = {
+    [SCENE_TREES] = "How they grow in a scene of trees; defaults are those of ink.",
+    [SCENE_LIGHTNING] = "How it grows in a scene of lightning; defaults are those of the first kind.",
+    [SCENE_CHEMISTRY] = "How chemicals react in a scene of chemistry, and what they look like.",
+};
+
 bool explain(const char *asked, FILE *out)
 {
-    struct key trees[EXHIBIT_TREES_KEYS];
+    struct key options[EXHIBIT_OPTIONS_KEYS];
     struct explaining explaining = {.asked = asked, .out = out};
     explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
     explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
@@ -205,12 +215,20 @@ bool explain(const char *asked, FILE *out)
     struct key structure[SCRIPT_STRUCTURE_KEYS];
     script_structure_keys(structure);
     explain_keys(&explaining, "structure", "What grows over a picture, wherever a verb takes a picture.", structure);
+    explain_keys(&explaining, "text", "Words in place of a picture, of dose, style and strike.", script_text_keys);
+    explain_keys(&explaining, "session", "What another session comes to, wherever a verb takes a picture.",
+                 script_session_keys);
     explain_tables(&explaining, exhibit_tables);
-    exhibit_trees_keys(trees);
-    explain_keys(&explaining, "trees", "How they grow in a scene of trees; defaults are those of ink.", trees);
+    for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
+        exhibit_options_keys((enum scene_kind)kind, options);
+        explain_keys(&explaining, scene_kind_names[kind], ABOUT_OPTIONS[kind], options);
+    }
     explain_tables(&explaining, inputs_tables);
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", laplacian_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", bolt_look_keys);
+    explain_keys(&explaining, "bolt", "Options of frond bolt.", bolt_order_keys);
     explain_names(&explaining);
     return explaining.found;
 }

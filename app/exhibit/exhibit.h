@@ -19,10 +19,11 @@
 #include <stddef.h>
 
 #include "engine_choice.h"
-#include "growth.h"
+#include "graph.h"
 #include "inputs.h"
 #include "report.h"
 #include "scene.h"
+#include "scene_options.h"
 #include "script.h"
 #include "words.h"
 
@@ -35,6 +36,7 @@ enum {
     EXHIBIT_SEATS = 8,
     EXHIBIT_HOURS = 28, /* entries of the schedule */
     EXHIBIT_TAPS = 8,   /* of the staff's chain */
+    EXHIBIT_FEEDS = 8,  /* inputs of a scene */
 };
 
 struct exhibit_display {
@@ -54,20 +56,40 @@ struct exhibit_sheet {
     int rate; /* ticks a second */
 };
 
+/* What a scene takes from another, on every fresh sheet: one of its `inputs`. */
+struct exhibit_feed {
+    const char *id;  /* of the other scene */
+    int from;        /* the other scene's place in scenes[] */
+    int of;          /* enum scene_field */
+    int as;          /* enum graph_port */
+    int reading;     /* enum graph_reading */
+    int coefficient; /* of PORT_COEFFICIENT: in coefficient_keys[] */
+    float value, to; /* of PORT_COEFFICIENT: its value where the other scene has grown, and where it has not */
+    int ink;         /* of PORT_INK and PORT_BACKGROUND: of the scene's; -1: the first, the last */
+    float strength;  /* 0..1: of a field, of a drawing, of relief */
+    int tick;        /* how far the other scene grows by itself, when nobody has just made it here */
+    bool invert;     /* dark is light, and forward is back */
+};
+
 /* A scene is what is painted: inks, coefficients, a ground from a picture. `script` is a session without actions, for
  * the studio and the picture; its canvas is sheet.cells at 16:10 until script_fit gives it the shape of the screen. */
 struct exhibit_scene {
     const char *id;
     struct words title;
-    int kind;                 /* enum scene_kind */
-    struct growth_def growth; /* of SCENE_TREES, as at first: the preset of its metaphor, and what the file gives */
-    const char *picture;      /* of SCENE_TREES: the first picture it grows over (path relative to the exhibit), and the
-                                 only one where there is no folder `pictures`; NULL: the first of the folder */
+    int kind;                     /* enum scene_kind */
+    struct scene_options options; /* of this kind, as at first: what the metaphor, kind or preset brings, and what the
+                                     file gives */
+    const char *picture; /* of SCENE_TREES: the first picture it grows over (path relative to the exhibit), and the
+                            only one where there is no folder `pictures`; NULL: the first of the folder */
     struct script *script;
     const char *guide;     /* a picture (path relative to the exhibit) whose edges growth follows; NULL: none */
     const char *mask;      /* a picture whose dark parts stay free; NULL: none */
-    struct action *ground; /* those as actions, done on every fresh sheet; rasters owned by the script */
+    struct action *ground; /* those as actions, then the opening, done on every fresh sheet; rasters and paths owned by
+                              the script */
     int ground_count;
+    int opening; /* ground[opening..]: what comes after the inputs of other scenes */
+    struct exhibit_feed feeds[EXHIBIT_FEEDS];
+    int feed_count;
 };
 
 enum exhibit_tool { /* what a finger on the sheet does; the order on the palette */
@@ -80,26 +102,37 @@ enum exhibit_tool { /* what a finger on the sheet does; the order on the palette
                     TOOL_PLANT,  /* this and those below are for scenes of trees */
                     TOOL_TEND,   /* what is under the finger is more important */
                     TOOL_THIN,   /* less important */
+                    TOOL_STRIKE, /* this and the next two are for scenes of lightning; a finger that stays attracts */
+                    TOOL_REPEL,  /* a finger that stays repels */
+                    TOOL_STROKE, /* a line that attracts, and stays */
+                    TOOL_DOSE,   /* this and those below are for scenes of chemistry */
+                    TOOL_ERASE,
+                    TOOL_MAP, /* opens the map of feed and kill */
                     TOOLS,
 };
 
-extern const char *const exhibit_tool_names[]; /* "drop", "brush", ...; ends with NULL */
+extern const char *const exhibit_tool_names[];          /* "drop", "brush", ...; ends with NULL */
+extern const enum scene_kind exhibit_tool_kinds[TOOLS]; /* the scenes that a tool is for */
+
+static inline bool tool_fits(int tool, int kind)
+{
+    return tool >= 0 && tool < TOOLS && (int)exhibit_tool_kinds[tool] == kind;
+}
 
 /* The tool that every scene of a kind has, the first of its tools. */
 static inline enum exhibit_tool tool_first(int kind)
 {
-    return kind == SCENE_TREES ? TOOL_PLANT : TOOL_DROP;
-}
-
-static inline bool tool_fits(int tool, int kind)
-{
-    return tool >= 0 && tool < TOOLS && (tool >= TOOL_PLANT) == (kind == SCENE_TREES);
+    int tool = 0;
+    while (tool < TOOLS - 1 && !tool_fits(tool, kind)) {
+        tool++;
+    }
+    return (enum exhibit_tool)tool;
 }
 
 enum exhibit_side { SIDE_OF_LEFT, SIDE_OF_RIGHT, SIDE_OF_BOTTOM, SIDE_OF_NONE };
 
 struct exhibit_palette { /* the heads-up one, not that of inks */
-    bool tools[TOOLS];   /* which are offered; drop and plant always are */
+    bool tools[TOOLS];   /* which are offered; the first of each kind of scene always is */
     bool undo, finish;   /* undo: with redo */
     bool hand;           /* a button that moves it to the other side, for the other hand */
     bool seated;         /* a button that makes the reach-limited zone */
@@ -202,10 +235,13 @@ void exhibit_destroy(struct exhibit *exhibit); /* takes NULL */
 /* Whether a text means to be an exhibit: its top has the key `exhibit`. */
 bool exhibit_is(const char *text, size_t size);
 
-/* The keys of `trees` in a scene, over struct exhibit_scene: its own, and those of growth_keys that are one value.
- * Written to `keys`, the last one without a name. */
-enum { EXHIBIT_TREES_KEYS = 60 };
-void exhibit_trees_keys(struct key keys[EXHIBIT_TREES_KEYS]);
+/* The keys of `trees`, `lightning` or `chemistry` in a scene, over struct exhibit_scene: its own, and those of
+ * scene_options_keys that are one value. Written to `keys`, the last one without a name. None of a painting. */
+enum { EXHIBIT_OPTIONS_KEYS = 64 };
+void exhibit_options_keys(enum scene_kind kind, struct key keys[EXHIBIT_OPTIONS_KEYS]);
+
+/* Its scenes and their inputs. Nodes are numbered as scenes are. */
+struct graph exhibit_graph(const struct exhibit *exhibit);
 
 /* The names of the pictures in the folder `pictures` now, sorted, EXHIBIT_PICTURES of them at most; their paths are
  * relative to exhibit->folder. None when it has no such folder, or it cannot be read. */

@@ -9,103 +9,7 @@
 
 #include "beneath.h"
 #include "exhibit_read.h"
-
-/* One byte more than is allowed, so that yaml_parse can tell. NULL: see `error`. */
-static char *load(const char *folder, const char *path, size_t *size, char *error, size_t error_size)
-{
-    struct stat status;
-    int fd = beneath_open(folder, path, "a session", error, error_size);
-    if (fd < 0) {
-        return NULL;
-    }
-    char *text = malloc(YAML_SIZE_MAX + 1);
-    ssize_t got = 0;
-    *size = 0;
-    bool file = fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
-    do {
-        got = file && text ? read(fd, text + *size, YAML_SIZE_MAX + 1 - *size) : 0;
-        *size += got > 0 ? (size_t)got : 0;
-    } while (got > 0 && *size < YAML_SIZE_MAX + 1);
-    if (!file || !text || got < 0) {
-        snprintf(error, error_size, "'%.100s' %s; a session script", path,
-                 !file   ? "is no file"
-                 : !text ? "is too much: memory is short"
-                         : "cannot be read");
-        free(text);
-        text = NULL;
-    }
-    close(fd);
-    return text;
-}
-
-/* The folder of `path`, which is relative to `folder`; for the caller to free. */
-static char *folder_of(const char *folder, const char *path)
-{
-    size_t size = strlen(folder) + strlen(path) + 2;
-    char *whole = malloc(size), *result = NULL;
-    if (whole) {
-        snprintf(whole, size, "%s/%s", folder, path);
-        result = script_folder(whole);
-    }
-    free(whole);
-    return result;
-}
-
-static size_t values_of(const struct script *script)
-{
-    size_t values = 0;
-    for (int i = 0; i < script->action_count; i++) {
-        const struct action_raster *rasters[] = {&script->actions[i].formula, &script->actions[i].picture};
-        for (int k = 0; k < 2; k++) {
-            values += rasters[k]->values
-                          ? (size_t)rasters[k]->width * (size_t)rasters[k]->height * (size_t)rasters[k]->channels
-                          : 0;
-        }
-    }
-    return values;
-}
-
-/* What is wrong with a session is told where the exhibit names it, with the place in the session's own file. */
-static void pass_on(struct reader *reader, const struct yaml_node *at, const struct report *inner)
-{
-    for (int i = 0; i < inner->count; i++) {
-        const struct problem *problem = &inner->problems[i];
-        if (problem->line > 0) {
-            reader_problem(reader, at, "%s:%d:%d: %s", inner->file, problem->line, problem->column, problem->text);
-        } else {
-            reader_problem(reader, at, "%s: %s", inner->file, problem->text);
-        }
-    }
-    reader->report->dropped += inner->dropped;
-}
-
-static struct script *read_script(struct reader *reader, const struct yaml_node *at, const char *path)
-{
-    char error[300] = "";
-    size_t size = 0;
-    struct report inner;
-    struct script_def def = *reader->def;
-    char *text = load(reader->folder, path, &size, error, sizeof error);
-    char *folder = text ? folder_of(reader->folder, path) : NULL;
-    struct script *script = NULL;
-    def.raster_values_max -= reader->raster_values;
-    report_init(&inner, path);
-    if (!text) {
-        reader_problem(reader, at, "%s", error);
-    } else if (!folder) {
-        reader_problem(reader, at, "memory is short");
-    } else {
-        script = script_parse(text, size, folder, &def, &inner);
-        pass_on(reader, at, &inner);
-    }
-    if (script) {
-        reader->raster_values += values_of(script);
-    }
-    report_finish(&inner);
-    free(folder);
-    free(text);
-    return script;
-}
+#include "script_include.h"
 
 static void read_session(struct reader *reader, const struct yaml_node *item, int index, void *context)
 {
@@ -117,7 +21,7 @@ static void read_session(struct reader *reader, const struct yaml_node *item, in
     } session = {NULL};
     (void)index;
     if (value_read(reader, &PATH, item, &session)) {
-        struct script *script = read_script(reader, item, session.path);
+        struct script *script = script_include(reader, item, session.path);
         if (script) {
             exhibit->sessions[exhibit->session_count] = session.path;
             exhibit->recorded[exhibit->session_count++] = script;

@@ -20,7 +20,9 @@ void exhibit_read_palette(struct reader *reader, const struct yaml_node *root, s
     struct exhibit_palette *palette = &exhibit->palette;
     const struct yaml_node *node = exhibit_mapping(reader, root, "palette", hud_keys, palette);
     const struct yaml_node *tools = node ? yaml_get(node, "tools") : NULL;
-    palette->tools[TOOL_DROP] = palette->tools[TOOL_PLANT] = true;
+    for (int kind = 0; kind < SCENE_KINDS; kind++) {
+        palette->tools[tool_first(kind)] = true;
+    }
     if (tools && !yaml_is_nothing(tools)) {
         size_t length = reader_enter(reader, "palette");
         inputs_list(reader, node, "tools", TOOLS, "a list of tools: [drop, brush]", read_tool, palette);
@@ -37,7 +39,7 @@ void exhibit_same_ink(struct reader *reader, const struct yaml_node *at, const s
     const struct script *first = exhibit->scenes[0].script;
     for (int i = 1; i < exhibit->scene_count; i++) {
         const struct script *script = exhibit->scenes[i].script;
-        if (exhibit->scenes[i].kind == SCENE_TREES) {
+        if (exhibit->scenes[i].kind != SCENE_PAINTING) {
             continue;
         }
         if (ink >= script->ink_count || script->inks[ink] != first->inks[ink]) {

@@ -13,6 +13,7 @@ enum {
     TEXT_BYTES = 300, /* of one text in one language */
     EXHIBIT_PATH_BYTES = 200,
     EXHIBIT_STRUCTURES = 4, /* of a scene */
+    EXHIBIT_OPENING = 64,   /* actions of a scene */
 };
 
 /* A palette of the exhibit's own: needed while its scenes are read. */
@@ -27,6 +28,7 @@ extern const struct key sheet_keys[];           /* over struct exhibit_sheet */
 extern const struct key palettes_keys[];        /* over struct exhibit_inks */
 extern const struct key scene_keys[];           /* over struct exhibit_scene; `mode` over struct script */
 extern const struct key scene_structure_keys[]; /* beside those of a script's structure, over what is theirs alone */
+extern const struct key scene_feed_keys[];      /* over struct exhibit_feed */
 extern const struct key hud_keys[];             /* over struct exhibit_palette */
 extern const struct key seat_keys[];            /* over struct exhibit_seat */
 extern const struct key visit_keys[];           /* over struct exhibit_visit */
@@ -57,11 +59,21 @@ void exhibit_read_words(struct reader *reader, const struct yaml_node *root, con
 void exhibit_read_texts(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 /* After languages and sheet. */
 void exhibit_read_scenes(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
-/* `trees` of a scene that has been read as far as its kind. */
-void exhibit_read_trees(struct reader *reader, const struct yaml_node *item, const struct exhibit *exhibit,
-                        struct exhibit_scene *scene);
+/* `trees`, `lightning`, `chemistry` of a scene that has been read as far as its kind. */
+void exhibit_read_options(struct reader *reader, const struct yaml_node *item, const struct exhibit *exhibit,
+                          struct exhibit_scene *scene);
+/* `opening` of a scene that has been read as far as its inks. */
+void exhibit_read_opening(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
+/* What a scene is called in a report: "a scene of paintings", "a scene of trees". */
+const char *exhibit_kind_of_scene(int kind);
 /* `structures` of a scene that has been read as far as its coefficients. */
 void exhibit_read_structures(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
+/* `inputs` of a scene, that has been read as far as its inks: all but which scenes they are from. */
+void exhibit_read_feeds(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
+/* Whether a scene, of which nothing may have been read, has an input of this port. */
+bool exhibit_is_fed(const struct yaml_node *item, enum graph_port port);
+/* After the scenes: what feeds what, its types, and that nothing feeds itself. */
+void exhibit_check_feeds(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 void exhibit_read_files(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 /* A picture can be read; if not, that is reported. */
 void exhibit_check_picture(struct reader *reader, const struct yaml_node *at, const char *path);

@@ -8,7 +8,7 @@
 #include "script_action.h"
 #include "script_read.h"
 
-enum { GROUND_ACTIONS = 2 + EXHIBIT_STRUCTURES };
+enum { GROUND_ACTIONS = 2 + EXHIBIT_STRUCTURES + EXHIBIT_OPENING };
 
 struct scenes_reading {
     struct exhibit *exhibit;
@@ -162,12 +162,15 @@ static void read_scene(struct reader *reader, const struct yaml_node *item, int 
         mapping_read(reader, scene_keys, item, scene, &reading);
         check_id(reader, item, exhibit);
         exhibit_read_words(reader, item, "title", exhibit, &scene->title);
-        exhibit_read_trees(reader, item, exhibit, scene);
+        exhibit_read_options(reader, item, exhibit, scene);
         read_inks(reader, item, scenes);
         script_read_painting(reader, item);
         read_picture(reader, item, "mask", ACTION_MASK, scene);
         read_picture(reader, item, "guide", ACTION_GUIDE, scene);
         exhibit_read_structures(reader, item, scene);
+        scene->opening = scene->ground_count;
+        exhibit_read_feeds(reader, item, scene);
+        exhibit_read_opening(reader, item, scene);
         exhibit->scene_count++;
     }
     reader->script = outer;
@@ -186,4 +189,5 @@ void exhibit_read_scenes(struct reader *reader, const struct yaml_node *root, st
         exhibit->scene_count = 1;
     }
     reader->script = outer;
+    exhibit_check_feeds(reader, root, exhibit);
 }

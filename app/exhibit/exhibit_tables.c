@@ -7,11 +7,17 @@ enum { ID_BYTES = 40, TOPIC_BYTES = 100 };
 
 static const char *const ENGINES[] = {"auto", "cpu", "gpu", NULL};
 static const char *const TURNS[] = {"0", "90", "180", "270", NULL};
-static const char *const KINDS[] = {"painting", "trees", NULL};
 static const char *const SIDES[] = {"left", "right", "bottom", "none", NULL};
 
-const char *const exhibit_tool_names[] = {"drop",   "brush", "guide", "pour", "mask",
-                                          "rewind", "plant", "tend",  "thin", NULL};
+const char *const exhibit_tool_names[] = {"drop", "brush",  "guide", "pour",   "mask", "rewind", "plant", "tend",
+                                          "thin", "strike", "repel", "stroke", "dose", "erase",  "map",   NULL};
+const enum scene_kind exhibit_tool_kinds[TOOLS] = {
+    [TOOL_DROP] = SCENE_PAINTING,    [TOOL_BRUSH] = SCENE_PAINTING,  [TOOL_GUIDE] = SCENE_PAINTING,
+    [TOOL_POUR] = SCENE_PAINTING,    [TOOL_MASK] = SCENE_PAINTING,   [TOOL_REWIND] = SCENE_PAINTING,
+    [TOOL_PLANT] = SCENE_TREES,      [TOOL_TEND] = SCENE_TREES,      [TOOL_THIN] = SCENE_TREES,
+    [TOOL_STRIKE] = SCENE_LIGHTNING, [TOOL_REPEL] = SCENE_LIGHTNING, [TOOL_STROKE] = SCENE_LIGHTNING,
+    [TOOL_DOSE] = SCENE_CHEMISTRY,   [TOOL_ERASE] = SCENE_CHEMISTRY, [TOOL_MAP] = SCENE_CHEMISTRY,
+};
 const char *const corner_names[] = {"top left", "top right", "bottom right", "bottom left", NULL};
 const char *const day_names[] = {"mon", "tue", "wed", "thu", "fri", "sat", "sun", NULL};
 
@@ -130,9 +136,12 @@ const struct key palettes_keys[] = {
 const struct key scene_keys[] = {
     TEXT("id", SCENE, id, "a word", ID_BYTES, true, "What the staff's view and the log call the scene."),
     SECTION("title", "What visitors call it, by language: {en: ..., fr: ...}."),
-    CHOICE("kind", SCENE, kind, KINDS, SCENE_PAINTING,
-           "What it is: ink on a wet sheet, or trees and dendrites that grow over pictures."),
+    CHOICE("kind", SCENE, kind, scene_kind_names, SCENE_PAINTING,
+           "What it is: ink on a wet sheet, trees and dendrites that grow over pictures, lightning and all else that "
+           "grows as it does, or chemicals that react."),
     SECTION("trees", "How they grow in a scene of trees, as `frond grow` does it, and over which picture first."),
+    SECTION("lightning", "How it grows in a scene of lightning: bolts, corals, rivers, frost."),
+    SECTION("chemistry", "How chemicals react in a scene of chemistry, and what they look like."),
     SECTION("inks", "A list of one to four inks, by name."),
     SECTION("palette", "Four inks at once, by the id of a palette of the exhibit's own or the name of a shipped one, "
                        "instead of inks; the first shipped one if both are left out."),
@@ -145,14 +154,18 @@ const struct key scene_keys[] = {
          "A picture whose dark parts stay free, beside this file."),
     SECTION("structures", "A list of what `frond grow` grows over pictures, for the painting to grow along: at most "
                           "four, with the options of trees."),
+    SECTION("inputs", "A list of what comes from other scenes, at most eight: {from: SCENE, of: dark, as: mask}."),
+    SECTION("opening", "A list of what is done on every fresh sheet of the scene, at most 64 actions as in scripts, "
+                       "without their ticks."),
     END,
 };
 
 #define HUD struct exhibit_palette
 const struct key hud_keys[] = {
     SECTION("tools",
-            "A list of what a finger may do, of drop, brush, guide, pour, mask, rewind, and in scenes of trees "
-            "plant, tend, thin; all if left out, and drop and plant always."),
+            "A list of what a finger may do, of drop, brush, guide, pour, mask, rewind, in scenes of trees plant, "
+            "tend, thin, of lightning strike, repel, stroke, of chemistry dose, erase, map; all if left out, and the "
+            "first of each always."),
     FLAG("undo", HUD, undo, 1, "Whether there are buttons that take back, and bring back, what a visitor did last."),
     FLAG("finish", HUD, finish, 1, "Whether there is a button for a picture that is finished."),
     FLAG("hand", HUD, hand, 1,
@@ -264,8 +277,14 @@ const struct key text_keys[TEXTS + 1] = {
     [TEXT_PLANT] = WORDS("plant", "On the button for planting, in scenes of trees."),
     [TEXT_TEND] = WORDS("tend", "On the button that makes a place of the picture more important."),
     [TEXT_THIN] = WORDS("thin", "On the button that makes a place less important."),
+    [TEXT_STRIKE] = WORDS("strike", "On the button for lightning, in scenes of it."),
+    [TEXT_REPEL] = WORDS("repel", "On the button for a hand that bolts turn away from."),
+    [TEXT_STROKE] = WORDS("stroke", "On the button for painting lines that bolts grow towards."),
+    [TEXT_DOSE] = WORDS("dose", "On the button for chemicals, in scenes of chemistry."),
+    [TEXT_ERASE] = WORDS("erase", "On the button that takes chemicals away."),
+    [TEXT_MAP] = WORDS("map", "On the button for the map of reactions."),
     [TEXT_PICTURE] = WORDS("picture", "On the button for the next picture."),
-    [TEXT_METAPHOR] = WORDS("metaphor", "On the button for what grows: ink, vines, frost."),
+    [TEXT_METAPHOR] = WORDS("metaphor", "On the button for another kind of what grows or reacts."),
     [TEXT_UNDO] = WORDS("undo", "On the button that takes back what was done last."),
     [TEXT_REDO] = WORDS("redo", "On the button that brings it back."),
     [TEXT_FINISH] = WORDS("finish", "On the button for a finished picture."),
@@ -287,6 +306,7 @@ const struct inputs_table exhibit_tables[] = {
     {"palettes", "A palette of an exhibit's own.", palettes_keys},
     {"scenes", "A scene: inks, coefficients, and pictures that growth keeps to.", scene_keys},
     {"structures", "What grows over a picture, for a scene of ink.", scene_structure_keys},
+    {"scene_inputs", "What a scene takes from another, on every fresh sheet.", scene_feed_keys},
     {"palette", "The buttons at the edge of the sheet.", hud_keys},
     {"seats", "A visitor's place.", seat_keys},
     {"visit", "How long everything takes.", visit_keys},

@@ -16,6 +16,7 @@ struct controls *controls_create(const struct controls_def *def)
         return NULL;
     }
     controls->def = *def;
+    controls->options = scene_options_default(SCENE_PAINTING);
     controls_start_seats(controls);
     controls_reset_values(controls);
     for (int i = 0; i < def->inputs->binding_count; i++) {
@@ -303,11 +304,10 @@ void controls_reset(struct controls *controls)
     }
 }
 
-void controls_growth(struct controls *controls, const struct growth_def *growth)
+void controls_options(struct controls *controls, const struct scene_options *options)
 {
-    controls->trees = growth;
-    controls->growth = growth ? *growth : growth_preset(METAPHOR_INK, false);
-    controls_reset_shapes(controls);
+    controls->options = options ? *options : scene_options_default(SCENE_PAINTING);
+    controls_reset_options(controls);
 }
 
 void controls_scene(struct controls *controls, int inks, const struct coefficients *coefficients)

@@ -22,8 +22,8 @@
 #include "coefficients.h"
 #include "event.h"
 #include "exhibit.h"
-#include "growth.h"
 #include "inputs.h"
+#include "scene_options.h"
 #include "source.h"
 
 enum {
@@ -31,9 +31,10 @@ enum {
     CONTROLS_ACTIONS = 64,     /* in a period; what is beyond is dropped and counted */
     CONTROLS_WISHES = 32,      /* not yet taken; so too, but for the release of a switch */
     CONTROLS_CURSOR_US = 20000000,
-    CONTROLS_SHAPE_US = 166667,              /* what grows is planned anew for every value: no more than six a second */
-    CONTROLS_HANDS = EXHIBIT_SEATS + 1 + 64, /* the visitor of ACTION_HOLD is a hand: that of a controller its own, and
-                                                from here on fingers, a number each */
+    CONTROLS_SHAPE_US = 166667, /* what grows over a picture is planned anew for every value: no more than six a
+                                                second; other scenes take them as coefficients */
+    CONTROLS_HANDS = EXHIBIT_SEATS + 1 + 64, /* the visitor of ACTION_HOLD and ACTION_ATTRACT is a hand: that of a
+                                                controller its own, and from here on fingers, a number each */
     CONTROLS_STUCK_US = 120000000, /* nobody holds still for so long: a bag on the glass, a button that jams */
 };
 
@@ -77,6 +78,7 @@ enum wish_kind { /* in the order of enum binding_do */
                  WISH_NEXT_LANGUAGE,
                  WISH_NEXT_PICTURE,
                  WISH_NEXT_METAPHOR,
+                 WISH_NEXT_KIND,
                  WISH_SWITCH, /* of one-switch play: once when it goes down, once when it comes up */
                  WISHES,
 };
@@ -107,9 +109,9 @@ void controls_reset(struct controls *controls);
 /* The same, in a scene with other inks and coefficients. */
 void controls_scene(struct controls *controls, int inks, const struct coefficients *coefficients);
 
-/* A scene of trees from now on, which grows so: that is where dials of it stand. NULL, as at first: a painting. Of
- * bindings only those happen that are for the one or the other. */
-void controls_growth(struct controls *controls, const struct growth_def *growth);
+/* A scene of this kind from now on, which grows or reacts so: that is where dials of it stand. NULL, as at first: a
+ * painting. Of bindings only those happen that are for that kind. */
+void controls_options(struct controls *controls, const struct scene_options *options);
 
 /* Whether anybody has a finger or a button down, as of the last controls_run. A key switch of the staff is no hand, and
  * what has not stirred for CONTROLS_STUCK_US neither. */

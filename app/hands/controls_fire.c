@@ -37,7 +37,21 @@ bool controls_action(struct controls *controls, struct action *action, uint64_t 
     return true;
 }
 
-static void place(struct queued *queued, const struct binding *binding, const struct cause *cause)
+/* Whether something without a point of its own happens somewhere, always at the same places one after the other. */
+static bool is_anywhere(const struct controls *controls, enum action_verb verb, const struct cause *cause)
+{
+    bool somewhere = cause->finger != NOBODY || cause->owner == NOBODY || controls->owners[cause->owner].moved;
+    return !somewhere && (verb == ACTION_STRIKE || verb == ACTION_DOSE);
+}
+
+static struct point find_place(struct controls *controls)
+{
+    float x = dice_between(&controls->chance, 0.1f, 0.9f);
+    return (struct point){x, dice_between(&controls->chance, 0.3f, 0.9f)};
+}
+
+static void place(struct controls *controls, struct queued *queued, const struct binding *binding,
+                  const struct cause *cause)
 {
     struct action *action = &queued->action;
     const struct key *keys = action_keys(action->verb);
@@ -53,7 +67,8 @@ static void place(struct queued *queued, const struct binding *binding, const st
         action->path.count = count;
         queued->own_path = true;
     } else if (at) {
-        action->at = cause->at;
+        bool anywhere = is_anywhere(controls, action->verb, cause);
+        action->at = anywhere ? find_place(controls) : cause->at;
         action->has_at = true;
     }
 }
@@ -137,7 +152,8 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
         controls_nudge(controls, index, cause);
         return;
     }
-    if (binding->action.verb == ACTION_HOLD && controls->trees && cause->finger != NOBODY && cause->finger != TAPPER) {
+    if (binding_holds(binding) && controls_suits(controls, binding) && cause->finger != NOBODY &&
+        cause->finger != TAPPER) {
         controls_hold(controls, index, cause);
         return;
     }
@@ -153,20 +169,19 @@ void controls_fire(struct controls *controls, int index, const struct cause *cau
     queued->action.ink %= controls->def.inks; /* a scene may have fewer than the one that the inputs were read for */
     dial(controls, &queued->action);
     size(&queued->action, binding, cause);
-    place(queued, binding, cause);
+    place(controls, queued, binding, cause);
 }
 
 static bool taps(const struct binding *binding, enum exhibit_tool tool)
 {
     bool at_once = binding->when == PRESS_DOWN || binding->when == PRESS_UP || binding->when == PRESS_SHORT;
     bool press = binding_touches(binding, TOUCH_PRESS, tool) || binding_touches(binding, TOUCH_TAP, tool);
-    return binding->what == DO_VERB && press && at_once && binding->action.verb != ACTION_HOLD;
+    return binding->what == DO_VERB && press && at_once && !binding_holds(binding);
 }
 
 static bool drags(const struct binding *binding, enum exhibit_tool tool)
 {
-    return binding->what == DO_VERB && binding->action.verb != ACTION_HOLD &&
-           binding_touches(binding, TOUCH_DRAG, tool);
+    return binding->what == DO_VERB && !binding_holds(binding) && binding_touches(binding, TOUCH_DRAG, tool);
 }
 
 static int fire_all(struct controls *controls, bool (*wanted)(const struct binding *binding, enum exhibit_tool tool),
@@ -185,9 +200,13 @@ static int fire_all(struct controls *controls, bool (*wanted)(const struct bindi
 
 static void drop_anyway(struct controls *controls, const struct cause *cause)
 {
+    static const enum action_verb FIRST[SCENE_KINDS] = {[SCENE_PAINTING] = ACTION_DROP,
+                                                        [SCENE_TREES] = ACTION_PLANT,
+                                                        [SCENE_LIGHTNING] = ACTION_STRIKE,
+                                                        [SCENE_CHEMISTRY] = ACTION_DOSE};
     struct queued *queued = push(controls, cause->time_us);
     if (queued) {
-        queued->action = action_default(controls->trees ? ACTION_PLANT : ACTION_DROP);
+        queued->action = action_default(FIRST[controls->options.kind]);
         queued->action.visitor = controls_visitor_of(controls, cause);
         queued->action.ink = controls_ink_of(controls, cause) % controls->def.inks;
         queued->action.at = cause->at;
@@ -219,12 +238,12 @@ void controls_tap(struct controls *controls, int visitor, struct point at, uint6
     }
 }
 
-bool controls_push_shape(struct controls *controls, int growth, float value, uint64_t time_us)
+bool controls_push_option(struct controls *controls, int option, float value, uint64_t time_us)
 {
     struct queued *queued = push(controls, time_us);
     if (queued) {
-        queued->action = action_default(ACTION_SHAPE);
-        queued->action.option = growth;
+        queued->action = action_default(scene_types[controls->options.kind]->sets);
+        queued->action.option = option;
         queued->action.value = value;
     }
     return queued;

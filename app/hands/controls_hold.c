@@ -1,4 +1,5 @@
-/* Hands that growth goes round: ACTION_HOLD follows a finger, a few times a second, and is lifted when it goes. */
+/* Hands that growth goes round, or bolts come to: ACTION_HOLD and ACTION_ATTRACT follow a finger, a few times a second,
+ * and is lifted when it goes. */
 #include <math.h>
 
 #include "controls_state.h"

@@ -94,8 +94,8 @@ static void feel_switch(struct controls *controls, struct contact *contact, bool
 static bool holds(const struct controls *controls, const struct contact *contact)
 {
     const struct binding *binding = controls_binding(controls, contact->binding);
-    return controls->trees && binding->what == DO_VERB && binding->action.verb == ACTION_HOLD &&
-           contact->finger == NOBODY && contact->press.down;
+    return binding_holds(binding) && controls_suits(controls, binding) && contact->finger == NOBODY &&
+           contact->press.down;
 }
 
 static void feel(struct controls *controls, struct contact *contact, bool down, uint64_t time_us)
@@ -194,14 +194,15 @@ void controls_spend_presses(struct controls *controls)
     }
 }
 
-/* A cursor that moves while its button is down paints what the button would paint at one place. */
+/* A cursor that moves while its button is down paints what the button would paint at one place; what attracts there
+ * goes along. */
 static void draw(struct controls *controls, struct contact *contact)
 {
     const struct binding *binding = controls_binding(controls, contact->binding);
     if (!contact->press.down || binding->when != PRESS_DOWN || binding->what != DO_VERB || contact->finger != NOBODY) {
         return;
     }
-    if (!key_find(action_keys(binding->action.verb), "path")) {
+    if (!key_find(action_keys(binding->action.verb), "path") || (binding_holds(binding) && !contact->holds)) {
         return;
     }
     int owner = controls_owner(controls, contact->source, contact->device);
@@ -212,7 +213,11 @@ static void draw(struct controls *controls, struct contact *contact)
     }
     stroke_add(&contact->stroke, cause.at, cause.time_us);
     cause.stroke = &contact->stroke;
-    controls_fire(controls, contact->binding, &cause);
+    if (contact->holds) {
+        controls_push_hold(controls, controls_visitor_of(controls, &cause), &binding->action, &cause.at, cause.time_us);
+    } else {
+        controls_fire(controls, contact->binding, &cause);
+    }
     stroke_taken(&contact->stroke);
 }
 

@@ -5,6 +5,7 @@
 #define FROND_CONTROLS_STATE_H
 
 #include "controls.h"
+#include "dice.h"
 #include "gesture.h"
 #include "stroke.h"
 
@@ -91,14 +92,14 @@ struct controls {
     struct hold holds[GESTURE_FINGERS];
     bool paired[GESTURE_FINGERS]; /* the stroke is that of two fingers */
     int next_ink, shared_ink;
-    bool trees;               /* the scene is one of trees, */
-    struct growth_def growth; /* which grows so */
+    struct scene_options options; /* of the scene */
+    struct dice chance;           /* places of what has none */
     struct owner owners[OWNERS];
     struct contact contacts[CONTACTS];
     struct known known[KNOWN];
     struct axis axes[INPUTS_BINDINGS];      /* of bindings that turn something */
     uint64_t axis_time_us[INPUTS_BINDINGS]; /* of the event behind it; 0: told */
-    bool shapes[INPUTS_BINDINGS];           /* of growth: it has another value that is still to be told */
+    bool shapes[INPUTS_BINDINGS];           /* of options: it has another value that is still to be told */
     float shaped[INPUTS_BINDINGS];          /* as it was told last */
     uint64_t shaped_us[INPUTS_BINDINGS];    /* then; 0: not yet */
     float rest[INPUTS_BINDINGS];            /* of steps that are not whole yet */
@@ -147,8 +148,8 @@ struct cause controls_cause(const struct controls *controls, int finger, int own
 
 /* controls_fire.c: the action of the binding `index` happens. */
 void controls_fire(struct controls *controls, int index, const struct cause *cause);
-/* Growth's value at this time. False: there is no room for it. */
-bool controls_push_shape(struct controls *controls, int growth, float value, uint64_t time_us);
+/* An option's value at this time. False: there is no room for it. */
+bool controls_push_option(struct controls *controls, int option, float value, uint64_t time_us);
 /* A hand by its number, as `bound` is, at a place; lifted without one. */
 bool controls_push_hold(struct controls *controls, int hand, const struct action *bound, const struct point *at,
                         uint64_t time_us);
@@ -162,14 +163,20 @@ void controls_push_switch_end(struct controls *controls, const struct cause *cau
 static inline bool controls_suits(const struct controls *controls, const struct binding *binding)
 {
     if (binding->what == DO_TURN) {
-        return controls->trees == (binding->growth >= 0);
+        return binding->scene == (int)controls->options.kind;
     }
-    enum action_verb verb = binding->action.verb;
-    return binding->what != DO_VERB || verb == ACTION_CLEAR || verb == ACTION_RINSE ||
-           controls->trees == (verb >= ACTION_STOCK);
+    return binding->what != DO_VERB || scene_takes(controls->options.kind, binding->action.verb);
 }
 
-/* controls_hold.c: the finger of a cause stays or goes, by a binding of ACTION_HOLD; it has gone. */
+/* Whether a binding is a hand that lies on the sheet until it is lifted. */
+static inline bool binding_holds(const struct binding *binding)
+{
+    enum action_verb verb = binding->action.verb;
+    return binding->what == DO_VERB &&
+           (verb == ACTION_HOLD || (verb == ACTION_ATTRACT && binding->where != WHERE_ALONG));
+}
+
+/* controls_hold.c: the finger of a cause stays or goes, by a binding that holds; it has gone. */
 void controls_hold(struct controls *controls, int binding, const struct cause *cause);
 void controls_lift(struct controls *controls, int finger, uint64_t time_us);
 void controls_run_holds(struct controls *controls, uint64_t now_us);
@@ -201,8 +208,8 @@ void controls_run_values(struct controls *controls, uint64_t now_us);
 void controls_run_cursors(struct controls *controls, uint64_t now_us);
 /* Axes and dials as at first. */
 void controls_reset_values(struct controls *controls);
-/* Those of scenes of trees alone. */
-void controls_reset_shapes(struct controls *controls);
+/* Those of options of scenes alone. */
+void controls_reset_options(struct controls *controls);
 bool controls_values_move(const struct controls *controls);
 
 #endif

@@ -1,7 +1,6 @@
 #include <math.h>
 
 #include "controls_state.h"
-#include "growth.h"
 #include "hid_usage.h"
 
 enum { BURST = 4 }; /* what a dial does at once, at most, however fast it is turned */
@@ -15,9 +14,9 @@ static float into(float value)
     return value > 0 ? value < 1 ? value : 1 : 0; /* NaN becomes 0 */
 }
 
-static bool turns_growth(const struct binding *binding)
+static bool turns_option(const struct binding *binding)
 {
-    return binding->what == DO_TURN && binding->growth >= 0;
+    return binding->what == DO_TURN && binding->option >= 0;
 }
 
 static bool senses(const struct binding *binding, float value)
@@ -147,20 +146,24 @@ void controls_nudge(struct controls *controls, int index, const struct cause *ca
     }
 }
 
-/* What grows is to have another value: whole numbers and choices change where they do, and all of them not too often.
- */
-static void run_shape(struct controls *controls, int index, uint64_t now_us)
+/* A scene is to have another value: whole numbers and choices change where they do, and what is planned anew for them
+ * not too often. */
+static void run_option(struct controls *controls, int index, uint64_t now_us)
 {
     const struct binding *binding = controls_binding(controls, index);
-    const struct key *key = &growth_keys[binding->growth];
+    const struct key *key = &scene_options_keys((enum scene_kind)binding->scene)[binding->option];
+    uint64_t pause_us = binding->scene == SCENE_TREES ? CONTROLS_SHAPE_US : 0;
+    if (!controls_suits(controls, binding)) {
+        controls->shapes[index] = false;
+        return;
+    }
     float value = axis_value(&controls->axes[index], &binding->axis);
-    if (!controls->shapes[index] ||
-        (controls->shaped_us[index] && now_us < controls->shaped_us[index] + CONTROLS_SHAPE_US)) {
+    if (!controls->shapes[index] || (controls->shaped_us[index] && now_us < controls->shaped_us[index] + pause_us)) {
         return;
     }
     value = key->type == KEY_NUMBER ? value : roundf(value);
     bool other = fabsf(value - controls->shaped[index]) > 0;
-    if (other && !controls_push_shape(controls, binding->growth, value, controls->axis_time_us[index])) {
+    if (other && !controls_push_option(controls, binding->option, value, controls->axis_time_us[index])) {
         return;
     }
     controls->shapes[index] = false;
@@ -181,9 +184,9 @@ void controls_run_values(struct controls *controls, uint64_t now_us)
             controls_fire(controls, i, &controls->moved[i]);
         }
         bool told = turns && axis_run(&controls->axes[i], &binding->axis, now_us);
-        if (turns_growth(binding)) {
+        if (turns_option(binding)) {
             controls->shapes[i] = controls->shapes[i] || told;
-            run_shape(controls, i, now_us);
+            run_option(controls, i, now_us);
             continue;
         }
         if (!told) {
@@ -230,12 +233,13 @@ static float initial_value(const struct controls_def *def, const struct binding 
     return key->type == KEY_NUMBER ? *(const float *)(const void *)at : (float)*(const int *)(const void *)at;
 }
 
-void controls_reset_shapes(struct controls *controls)
+void controls_reset_options(struct controls *controls)
 {
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
-        if (turns_growth(binding)) {
-            controls->shaped[i] = growth_value(&controls->growth, binding->growth);
+        if (turns_option(binding)) {
+            bool here = binding->scene == (int)controls->options.kind;
+            controls->shaped[i] = here ? scene_option_value(&controls->options, binding->option) : binding->axis.from;
             controls->axes[i] = axis_start(&binding->axis, controls->shaped[i]);
             controls->shapes[i] = false;
         }
@@ -246,14 +250,14 @@ void controls_reset_values(struct controls *controls)
 {
     for (int i = 0; i < controls->def.inputs->binding_count; i++) {
         const struct binding *binding = controls_binding(controls, i);
-        if ((binding->what == DO_TURN && !turns_growth(binding)) || binding->what == DO_DIAL) {
+        if ((binding->what == DO_TURN && !turns_option(binding)) || binding->what == DO_DIAL) {
             controls->axes[i] = axis_start(&binding->axis, initial_value(&controls->def, binding));
         }
         controls->axis_time_us[i] = 0;
         controls->rest[i] = 0;
         controls->has_moved[i] = false;
     }
-    controls_reset_shapes(controls);
+    controls_reset_options(controls);
     for (int i = 0; i < PARAMETERS; i++) {
         controls->has_drop[i] = false;
     }

@@ -22,6 +22,7 @@ void controls_start_seats(struct controls *controls)
 void controls_reset_visitors(struct controls *controls)
 {
     controls->next_ink = controls->shared_ink = 0;
+    controls->chance.state = 0;
     for (int i = 0; i < controls->seat_count; i++) {
         controls->seats[i].ink = -1;
         controls->seats[i].tool = TOOL_DROP;

@@ -34,7 +34,7 @@ enum {
     INPUTS_MAP = 64,       /* entries of one controller */
     INPUTS_LINES = 32,     /* buttons, encoders, lamps: of each */
     INPUTS_WRITTEN = 128,  /* bindings of a file */
-    INPUTS_BINDINGS = 160, /* with the default ones of tools that it has none for */
+    INPUTS_BINDINGS = 192, /* with the default ones of tools that it has none for */
     INPUTS_MS_MAX = 60000,
 };
 
@@ -95,7 +95,7 @@ enum binding_touch { TOUCH_PRESS, TOUCH_TAP, TOUCH_LONG, TOUCH_DRAG, TOUCH_TWO, 
 /* enum press_when, and: */
 enum { BINDING_MOVE = PRESS_WHENS, BINDING_WHENS };
 enum binding_way { WAY_ANY, WAY_UP, WAY_DOWN, WAY_LEFT, WAY_RIGHT };
-enum binding_where { WHERE_THERE, WHERE_SHEET };
+enum binding_where { WHERE_THERE, WHERE_SHEET, WHERE_ALONG };
 /* What happens once, wishes (enum wish_kind) among it, then what follows a value. */
 enum binding_do {
     DO_VERB,
@@ -109,6 +109,7 @@ enum binding_do {
     DO_NEXT_LANGUAGE,
     DO_NEXT_PICTURE,
     DO_NEXT_METAPHOR,
+    DO_NEXT_KIND,
     DO_SWITCH,
     DO_CURSOR,
     DO_TURN,
@@ -132,10 +133,12 @@ struct binding {
     /* What. */
     enum binding_do what;
     struct action action; /* DO_VERB: ink -1: the visitor's; without a place: where it happens */
-    int where;            /* WHERE_SHEET: the verb is for the whole sheet unless it names a place */
+    int where;            /* WHERE_SHEET: the verb is for the whole sheet unless it names a place; WHERE_ALONG: it
+                             paints, although it could be a hand that lies there (ACTION_ATTRACT) */
     struct axis_def axis; /* of DO_TURN, DO_DIAL, DO_CURSOR */
-    int coefficient;      /* DO_TURN; -1: that of `growth` */
-    int growth;           /* DO_TURN, in growth_keys[], of scenes of trees; -1: the coefficient */
+    int coefficient;      /* DO_TURN, in scenes of paintings; -1: `option` */
+    int scene;            /* DO_TURN: enum scene_kind that it is for */
+    int option;           /* DO_TURN: in scene_options_keys(scene); -1: the coefficient */
     int parameter;        /* DO_DIAL: of drops to come */
     int across;           /* DO_CURSOR: 0 x, 1 y, 2 both: a hat */
     float speed;          /* DO_CURSOR: sheets a second at full deflection */
@@ -177,8 +180,9 @@ struct inputs *inputs_parse(const char *text, size_t size, const char *folder, c
                             const struct script_def *def, struct report *report);
 void inputs_destroy(struct inputs *inputs); /* takes NULL */
 /* What counts where no file is given: fingers do what their tool is for, gamepads have a cursor, space mice and dials
- * turn coefficients, and in scenes of trees how they grow. A file without any touch binding for a tool has those of the
- * default for it, and one that turns nothing of scenes of trees has the default dials for that. */
+ * turn coefficients, and in other scenes how they grow or react. A file without any touch binding for a tool has those
+ * of the default for it, and one that turns nothing of a kind of scenes, paintings aside, has the default dials for
+ * that. */
 const char *inputs_default_text(void);
 struct inputs *inputs_default(const struct script *session);
 /* Whether a text means to be an inputs file: its top has the key `inputs`. */

@@ -382,6 +382,16 @@ static int usual_where(const struct binding *binding)
     }
 }
 
+static void check_along(struct reader *reader, const struct yaml_node *item, const struct binding *binding)
+{
+    bool paints = binding->what == DO_VERB && key_find(action_keys(binding->action.verb), "path");
+    if (binding->where == WHERE_ALONG && !paints) {
+        size_t length = reader_enter(reader, "where");
+        reader_problem(reader, yaml_get(item, "where"), "the action has no path; there or sheet");
+        reader_leave(reader, length);
+    }
+}
+
 static void read_binding(struct reader *reader, const struct yaml_node *item, int index, void *context)
 {
     struct inputs *inputs = context;
@@ -411,6 +421,7 @@ static void read_binding(struct reader *reader, const struct yaml_node *item, in
     if (whole) {
         read_when(reader, item, binding);
         binding->where = yaml_get(item, "where") ? binding->where : usual_where(binding);
+        check_along(reader, item, binding);
     }
     if (whole && parts.length) {
         read_length(reader, parts.length, binding);
@@ -440,15 +451,16 @@ static void let_short_wait(struct inputs *inputs)
     }
 }
 
-static bool turns_growth(const struct binding *binding)
+/* The kind of scene that a binding turns something of; SCENE_PAINTING: none, or a coefficient. */
+static int turned_scene(const struct binding *binding)
 {
-    return binding->what == DO_TURN && binding->growth >= 0;
+    return binding->what == DO_TURN && binding->option >= 0 ? binding->scene : SCENE_PAINTING;
 }
 
-/* Tools without a touch binding have the default ones, and scenes of trees without a dial. */
+/* Tools without a touch binding have the default ones, and scenes that are no paintings without a dial. */
 static void read_default_tools(struct reader *reader, struct inputs *inputs)
 {
-    bool written[TOOLS] = {false}, dials = false;
+    bool written[TOOLS] = {false}, dials[SCENE_KINDS] = {[SCENE_PAINTING] = true};
     inputs->written_count = inputs->binding_count;
     const char *text = inputs_default_text();
     for (int i = 0; i < inputs->binding_count; i++) {
@@ -456,7 +468,7 @@ static void read_default_tools(struct reader *reader, struct inputs *inputs)
         if (binding->source == BINDING_TOUCH && binding->tool >= 0 && binding->tool < TOOLS) {
             written[binding->tool] = true;
         }
-        dials = dials || turns_growth(binding);
+        dials[turned_scene(binding)] = true;
     }
     struct yaml *yaml = yaml_parse(text, strlen(text), reader->report);
     const struct yaml_node *list = yaml ? yaml_get(yaml_root(yaml), "bindings") : NULL;
@@ -465,7 +477,7 @@ static void read_default_tools(struct reader *reader, struct inputs *inputs)
         bool touch = yaml_get(item, "touch");
         if ((touch || yaml_get(item, "turn")) && inputs->binding_count < INPUTS_BINDINGS) {
             read_binding(reader, item, 0, inputs);
-            if (touch ? written[binding->tool] : dials || !turns_growth(binding)) {
+            if (touch ? written[binding->tool] : dials[turned_scene(binding)]) {
                 *binding = (struct binding){.tool = 0};
                 inputs->binding_count--;
             }

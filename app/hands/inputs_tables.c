@@ -8,7 +8,7 @@ static const char *const MODES[] = {"absolute", "relative", "counter", NULL};
 static const char *const TOUCHES[] = {"press", "tap", "long press", "drag", "two-finger drag", "pinch", NULL};
 static const char *const WHENS[] = {"press", "release", "short", "long", "double", "hold", "move", NULL};
 static const char *const WAYS[] = {"any", "up", "down", "left", "right", NULL};
-static const char *const WHERES[] = {"there", "sheet", NULL};
+static const char *const WHERES[] = {"there", "sheet", "along", NULL};
 static const char *const CURVES[] = {"linear", "square", "exponential", NULL};
 static const char *const ACROSS[] = {"x", "y", "both", NULL};
 static const char *const PARAMETERS_OF_DROPS[] = {"radius", "solvent", "amount", NULL};
@@ -179,7 +179,8 @@ const struct key binding_keys[] = {
           "Where short ends and long begins; for double 350, for hold 2000 if left out."),
     CHOICE("way", BINDING, way, WAYS, WAY_ANY, false, "The side of an axis or a hat, or the sense of a dial."),
     CHOICE("where", BINDING, where, WHERES, WHERE_THERE, false,
-           "Where a verb without a place acts: at the finger or the cursor, or on the whole sheet."),
+           "Where a verb without a place acts: at the finger or the cursor, on the whole sheet, or along what is "
+           "drawn, for what else is a hand that lies there."),
     SECTION("length", "With release, short or long: how long it was held sets a parameter of the action."),
     END,
 };
@@ -195,9 +196,10 @@ const struct key binding_do_keys[] = {
     SECTION("next_language", "Action: the next language."),
     SECTION("next_picture", "Action: the next picture, in a scene of trees."),
     SECTION("next_metaphor", "Action: what grows becomes another kind, in a scene of trees."),
+    SECTION("next_kind", "Action: the next kind of what grows, or the next preset, in a scene that is no painting."),
     SECTION("switch", "Action: the one button of one-switch play; pressed and let go."),
     SECTION("cursor", "Action: moves the controller's point on the sheet."),
-    SECTION("turn", "Action: sets a coefficient, or how trees grow, to where an axis or a dial stands."),
+    SECTION("turn", "Action: sets a coefficient, or how a scene grows or reacts, to where an axis or a dial stands."),
     SECTION("dial", "Action: sets a parameter of all drops to come to where an axis or a dial stands."),
     END,
 };
@@ -212,8 +214,12 @@ const struct key binding_do_keys[] = {
 const struct key turn_keys[] = {
     {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, offsetof(BINDING, coefficient), false,
      "The coefficient; one that is a number."},
-    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, offsetof(BINDING, growth), false,
+    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, offsetof(BINDING, option), false,
      "Instead of it, in scenes of trees: an option of frond grow that is one value. Choices have a detent each."},
+    {"lightning", KEY_STORM, "", 0, 0, 0, NULL, offsetof(BINDING, option), false,
+     "Instead of it, in scenes of lightning: an option of theirs that is one value."},
+    {"chemistry", KEY_DISH, "", 0, 0, 0, NULL, offsetof(BINDING, option), false,
+     "Instead of it, in scenes of chemistry: an option of theirs that is one value."},
     NUMBER("from", BINDING, axis.from, "as what it turns", -10000, 100000, 0, false,
            "Its value at one end; the first, of choices, if left out."),
     NUMBER("to", BINDING, axis.to, "as what it turns", -10000, 100000, 1, false,
@@ -258,7 +264,7 @@ const struct inputs_table inputs_tables[] = {
     {"bindings", "A binding: a source, a condition, and a verb of the script or one of the actions below.",
      binding_keys},
     {"do", "Actions of bindings beside the verbs.", binding_do_keys},
-    {"turn", "Sets a coefficient, or how trees grow.", turn_keys},
+    {"turn", "Sets a coefficient, or how a scene grows or reacts.", turn_keys},
     {"dial", "Sets a parameter of drops.", dial_keys},
     {"cursor", "Moves a point on the sheet.", cursor_keys},
     {"length", "Press length to size.", length_keys},

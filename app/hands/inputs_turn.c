@@ -1,9 +1,9 @@
-/* `turn` of a binding: a coefficient of the painting, or an option of what grows in scenes of trees. */
+/* `turn` of a binding: a coefficient of the painting, or an option of another kind of scene. */
 #include <math.h>
 
 #include "coefficients.h"
-#include "growth.h"
 #include "inputs_read.h"
+#include "scene_options.h"
 
 static void check_range(struct reader *reader, const struct yaml_node *node, const char *name, const struct key *key)
 {
@@ -31,24 +31,68 @@ static void complain(struct reader *reader, const char *name, const struct yaml_
     reader_leave(reader, length);
 }
 
+/* The scenes that a key of `turn` is for; SCENE_PAINTING: a coefficient, or no key of what it sets. */
+static enum scene_kind kind_of(const struct key *turns)
+{
+    const struct key *options = action_options(turns->type);
+    int kind = SCENE_KINDS - 1;
+    while (kind > SCENE_PAINTING && (!options || scene_options_keys((enum scene_kind)kind) != options)) {
+        kind--;
+    }
+    return (enum scene_kind)kind;
+}
+
+/* One thing is set: its key of `turn`, and what is given for it; NULL, and in the report, where it is none or several.
+ */
+static const struct key *find_turned(struct reader *reader, const struct yaml_node *node,
+                                     const struct yaml_node **value)
+{
+    const struct key *first = NULL;
+    char text[160];
+    for (const struct key *key = turn_keys; key->name; key++) {
+        const struct yaml_node *given = action_options(key->type) ? yaml_get(node, key->name) : NULL;
+        if (given && first) {
+            snprintf(text, sizeof text, "%s %s is given too; one of the two",
+                     first->type == KEY_COEFFICIENT ? "a" : "an option:", first->name);
+            complain(reader, key->name, given, text);
+            return NULL;
+        }
+        if (given) {
+            first = key;
+            *value = given;
+        }
+    }
+    if (!first) {
+        complain(reader, "coefficient", node,
+                 "missing; the name of a coefficient, or of an option: growth, lightning or chemistry");
+    }
+    return first;
+}
+
 /* What a `turn` sets; NULL, and in the report, where it is not one thing that can be turned. */
 static const struct key *turned(struct reader *reader, const struct yaml_node *node, struct binding *binding)
 {
-    const struct yaml_node *coefficient = yaml_get(node, "coefficient"), *growth = yaml_get(node, "growth");
-    const struct key *key = growth ? &growth_keys[binding->growth] : &coefficient_keys[binding->coefficient];
+    const struct yaml_node *value = NULL;
+    const struct key *turns = find_turned(reader, node, &value);
     char text[160];
-    binding->coefficient = growth ? -1 : binding->coefficient;
-    binding->growth = growth ? binding->growth : -1;
-    if (growth && coefficient) {
-        complain(reader, "growth", growth, "a coefficient is given too; one of the two");
-    } else if (!growth && !coefficient) {
-        complain(reader, "coefficient", node, "missing; the name of a coefficient, or growth: an option of frond grow");
-    } else if (growth && (key->type == KEY_PATH || key->type == KEY_POINT)) {
-        snprintf(text, sizeof text, "%s is no single value; another option of frond grow", key->name);
-        complain(reader, "growth", growth, text);
-    } else if (!growth && key->type == KEY_CHOICE) {
+    if (!turns) {
+        binding->coefficient = 0;
+        binding->option = -1;
+        return NULL;
+    }
+    binding->scene = (int)kind_of(turns);
+    const struct key *key = binding->scene == SCENE_PAINTING
+                                ? &coefficient_keys[binding->coefficient]
+                                : &scene_options_keys((enum scene_kind)binding->scene)[binding->option];
+    binding->coefficient = binding->scene == SCENE_PAINTING ? binding->coefficient : -1;
+    binding->option = binding->scene == SCENE_PAINTING ? -1 : binding->option;
+    if (binding->scene != SCENE_PAINTING && !scene_option_is_value(key)) {
+        snprintf(text, sizeof text, "%s is no single value; another option of %s", key->name,
+                 binding->scene == SCENE_TREES ? "frond grow" : scene_kind_names[binding->scene]);
+        complain(reader, turns->name, value, text);
+    } else if (binding->scene == SCENE_PAINTING && key->type == KEY_CHOICE) {
         snprintf(text, sizeof text, "%s is no number; set chooses it", key->name);
-        complain(reader, "coefficient", coefficient, text);
+        complain(reader, turns->name, value, text);
     } else {
         return key;
     }

@@ -1,5 +1,7 @@
 #include "player.h"
 
+#include <string.h>
+
 #include "checkpoint.h"
 
 static const char NAME[] = "the journal";
@@ -127,7 +129,7 @@ static struct engine *carry(struct player *player, const struct painting_def *de
     return good ? next : NULL;
 }
 
-static bool take_canvas(struct player *player, const struct painting_def *def, struct file_error *error)
+static bool take_canvas(struct player *player, const struct painting_def *def, bool fresh, struct file_error *error)
 {
     struct engine *next = carry(player, def, error);
     if (!next) {
@@ -138,13 +140,14 @@ static bool take_canvas(struct player *player, const struct painting_def *def, s
     }
     player->engine = next;
     player->sheet.def = next->ops->get_def(next);
-    return fit_history(player, error) && fit_plot(player, &player->sheet.def, false, error);
+    return fit_history(player, error) && fit_plot(player, &player->sheet.def, fresh, error);
 }
 
 static bool take_scene(struct player *player, const struct journal_sheet *scene, struct file_error *error)
 {
+    bool other = strcmp(player->sheet.scene, scene->scene) != 0; /* as live_scene.h: what grew in it is gone */
     player->sheet = *scene;
-    return take_canvas(player, &scene->def, error);
+    return take_canvas(player, &scene->def, other, error);
 }
 
 static bool take_grid(struct player *player, const struct journal_record *record, struct file_error *error)
@@ -153,7 +156,7 @@ static bool take_grid(struct player *player, const struct journal_record *record
     def.width = record->grid.width;
     def.height = record->grid.height;
     def.margin = record->grid.margin;
-    return take_canvas(player, &def, error);
+    return take_canvas(player, &def, false, error);
 }
 
 static bool act(struct player *player, const struct action *action)

@@ -113,7 +113,7 @@ static bool write_end(struct replaying *replaying, struct file_error *error)
     /* What the figures are of. */
     const struct script sheet = {
         .width = player->sheet.def.width, .height = player->sheet.def.height, .margin = player->sheet.def.margin};
-    if (def->stats && !stats_write(def->stats, &sheet, player->engine, error)) {
+    if (def->stats && !stats_write(def->stats, &sheet, player->engine, player->plot, error)) {
         return false;
     }
     if (def->svg && !easel_write_plan(player->engine, def->paper_mm, def->svg, error)) {

@@ -128,7 +128,7 @@ static bool draw(struct live *live)
         return true;
     }
     const struct fields *fields = studio_newest(live->studio, &fresh);
-    bool moves = fresh || live_plate_moves(&live->plate);
+    bool moves = fresh || live_scene_draw_moves(&live->scene_draw);
     if (!fields || (!moves && !live_kiosk_changed(&live->kiosk) && !live_picture_fades(&live->picture) &&
                     now - live->presented_s < AGAIN_S)) {
         nap();
@@ -136,7 +136,7 @@ static bool draw(struct live *live)
     }
     struct shader_error error;
     if (!live_picture_draw(&live->picture, live->display, fields, fresh, &error) ||
-        !live_plate_draw(&live->plate, live->display, &error) || !live_kiosk_draw(&live->kiosk, &error)) {
+        !live_scene_draw(&live->scene_draw, live->display, &error) || !live_kiosk_draw(&live->kiosk, &error)) {
         say(live, LOG_LEVEL_ERROR, "%s", error.text);
         return false;
     }
@@ -158,6 +158,14 @@ static bool draw(struct live *live)
     return true;
 }
 
+/* Before and after the studio is stopped: it waits for nobody then. */
+static void release(struct live *live, bool on)
+{
+    if (live->scene) {
+        live_scene_release(live->scene, on);
+    }
+}
+
 /* From a lost GPU to the painting on the screen again: a new context, new textures, the engine as the newest checkpoint
  * has it. */
 static bool recover(struct live *live)
@@ -168,10 +176,12 @@ static bool recover(struct live *live)
     live->service.status.gpu_resets++;
     say(live, LOG_LEVEL_WARNING, "GL is lost");
     live_picture_finish(&live->picture);
-    live_plate_finish(&live->plate);
+    live_scene_draw_finish(&live->scene_draw);
     live_kiosk_lost(&live->kiosk);
     live_input_unseen(&live->input);
+    release(live, true);
     studio_suspend(live->studio);
+    release(live, false);
     while (!display_renew(live->display, &display_error)) {
         if (live_over(live)) {
             return false;
@@ -261,30 +271,28 @@ static void tell(void *data, const struct studio_event *event)
     }
 }
 
-/* A garden for an exhibit, whose scenes come and go, or for a session in which something is planted. */
-static bool open_garden(struct live *live)
+/* A scene for an exhibit, in which they come and go, or for a session in which something else than paint grows. */
+static bool open_scene(struct live *live)
 {
     const struct exhibit *exhibit = live->def->exhibit;
-    bool planted = false;
-    for (int i = 0; i < live->script->action_count; i++) {
-        planted = planted || garden_takes(live->script->actions[i].verb);
-    }
-    if (exhibit || planted) {
-        live->garden = live_garden_create();
-        if (!live->garden) {
-            say(live, LOG_LEVEL_ERROR, "memory is short for a garden");
-            return false;
-        }
-    }
+    enum scene_kind kind = live_scene_kind(live->script);
+    const char *id = "";
     for (int i = 0; exhibit && i < exhibit->scene_count; i++) {
         if (exhibit->scenes[i].script == live->script) {
-            planted = exhibit->scenes[i].kind == SCENE_TREES;
+            kind = (enum scene_kind)exhibit->scenes[i].kind;
+            id = exhibit->scenes[i].id;
         }
     }
-    if (planted) {
-        live_garden_scene(live->garden, live->script, true);
+    if (exhibit || kind != SCENE_PAINTING) {
+        live->scene = live_scene_create(scene_types);
+        if (!live->scene) {
+            say(live, LOG_LEVEL_ERROR, "memory is short for a scene");
+            return false;
+        }
+        live_scene_scene(live->scene, live->script, kind, id);
     }
-    live_plate_init(&live->plate, live->def->xray ? NULL : live->garden, live->def->shaders ? &live->folder : NULL);
+    live_scene_draw_init(&live->scene_draw, live->def->xray ? NULL : live->scene,
+                         live->def->shaders ? &live->folder : NULL);
     return true;
 }
 
@@ -304,10 +312,10 @@ static bool open_studio(struct live *live)
     def.ticks_per_second = live->def->ticks_per_second;
     def.xray = live->def->xray;
     def.once = live->def->once;
-    live_keep_open(&live->painting, live->def->state, live->def->exhibit, live->choice.kind, live->garden);
+    live_keep_open(&live->painting, live->def->state, live->def->exhibit, live->choice.kind, live->scene);
     live_keep_studio(&live->painting, live->def->exhibit, &def);
     live->listener[0] = def.teller;
-    live->listener[1] = live->garden ? (struct studio_teller){live_garden_tell, live->garden} : live->listener[1];
+    live->listener[1] = live->scene ? (struct studio_teller){live_scene_tell, live->scene} : live->listener[1];
     def.teller = (struct studio_teller){tell, live};
     live->studio = studio_create(&def, live->display, &error);
     if (!live->studio) {
@@ -326,8 +334,8 @@ static bool open_input(struct live *live)
     const struct live_kiosk_def def = {.exhibit = live->def->exhibit,
                                        .open = live->def->open,
                                        .painting = &live->painting,
-                                       .garden = live->garden,
-                                       .plate = &live->plate,
+                                       .scene = live->scene,
+                                       .scene_draw = &live->scene_draw,
                                        .state = live->def->state,
                                        .trouble = live->def->trouble,
                                        .clock = live->def->clock};
@@ -370,7 +378,7 @@ bool live_open(struct live *live, const struct script *script, struct display *d
     say(live, LOG_LEVEL_INFO, "display: %s", live->described);
     bool good = live->signals >= 0 &&
                 live_care_init(&live->care, script, display_frames(display).refresh_mhz, def->ticks_per_second) &&
-                open_garden(live) && open_studio(live) && open_input(live) &&
+                open_scene(live) && open_studio(live) && open_input(live) &&
                 live_service_open(&live->service, now_us());
     if (good) {
         studio_rest(live->studio, live->state != DISPLAY_SHOWN);
@@ -382,10 +390,11 @@ void live_close(struct live *live)
 {
     live_group_close(&live->group);
     live_service_close(&live->service);
+    release(live, true);
     studio_destroy(live->studio);
     live_keep_close(&live->painting);
-    live_plate_finish(&live->plate);
-    live_garden_destroy(live->garden);
+    live_scene_draw_finish(&live->scene_draw);
+    live_scene_destroy(live->scene);
     live_input_close(&live->input);
     live_kiosk_close(&live->kiosk);
     live_picture_finish(&live->picture);

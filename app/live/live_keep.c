@@ -27,7 +27,7 @@ static const char *name_of(const char *path)
 }
 
 void live_keep_open(struct live_keep *keep, const char *state, const struct exhibit *exhibit, enum engine_kind engine,
-                    struct live_garden *garden)
+                    struct live_scene *scene)
 {
     char folder[1200];
     *keep = (struct live_keep){.scene = -1};
@@ -44,10 +44,10 @@ void live_keep_open(struct live_keep *keep, const char *state, const struct exhi
     for (int i = 0; found && i < exhibit->scene_count; i++) {
         keep->scene = suits(&keep->found, &exhibit->scenes[i]) ? i : keep->scene;
     }
-    if (keep->scene >= 0 &&
-        exhibit->scenes[keep->scene].kind == SCENE_TREES) { /* the journal is the keep's from now on */
-        live_garden_resume(garden, exhibit->scenes[keep->scene].script, keep->found.journal.data,
-                           keep->found.journal.size);
+    const struct exhibit_scene *taken = keep->scene >= 0 ? &exhibit->scenes[keep->scene] : NULL;
+    if (taken && taken->kind != SCENE_PAINTING) { /* the journal is the keep's from now on */
+        live_scene_resume(scene, taken->script, (enum scene_kind)taken->kind, taken->id, keep->found.journal.data,
+                          keep->found.journal.size);
     }
     keep->keep = keep_create(&def, keep->scene >= 0 ? &keep->found : NULL);
 }

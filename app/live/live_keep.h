@@ -5,7 +5,7 @@
 
 #include "exhibit.h"
 #include "keep.h"
-#include "live_garden.h"
+#include "live_scene.h"
 #include "studio.h"
 
 struct live_keep {
@@ -15,10 +15,10 @@ struct live_keep {
     bool said; /* what was found */
 };
 
-/* `state`: folder; NULL: none. `exhibit` NULL: a session. What was planted is given back to the garden. Never fails:
+/* `state`: folder; NULL: none. `exhibit` NULL: a session. What has grown is given back to the scene. Never fails:
  * what cannot be kept is told by the log. */
 void live_keep_open(struct live_keep *keep, const char *state, const struct exhibit *exhibit, enum engine_kind engine,
-                    struct live_garden *garden);
+                    struct live_scene *scene);
 /* After the studio. */
 void live_keep_close(struct live_keep *keep);
 /* What the studio begins with, and whom it tells. */

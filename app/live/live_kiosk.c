@@ -53,12 +53,13 @@ static void stage_fresh(void *context)
 static void stage_change(void *context, const struct script *script)
 {
     struct live_kiosk *kiosk = context;
-    live_garden_scene(kiosk->garden, script, kiosk_scene(kiosk->kiosk)->kind == SCENE_TREES);
+    const struct exhibit_scene *scene = kiosk_scene(kiosk->kiosk);
+    live_scene_scene(kiosk->scene, script, (enum scene_kind)scene->kind, scene->id);
     studio_change(kiosk->status.studio, script);
     kiosk->other = true;
-    live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
+    live_keep_scene(kiosk->painting, scene);
     if (kiosk->pictures) {
-        live_pictures_scene(kiosk->pictures, kiosk_scene(kiosk->kiosk));
+        live_pictures_scene(kiosk->pictures, scene);
     }
 }
 
@@ -78,9 +79,9 @@ static struct kiosk_sheet stage_sheet(void *context)
 {
     struct live_kiosk *kiosk = context;
     struct studio_report report = studio_report(kiosk->status.studio);
-    struct live_garden_sheet garden = live_garden_sheet(kiosk->garden, bench_wall_s());
-    uint64_t undo = garden.on ? garden.can_undo : report.can_undo;
-    uint64_t redo = garden.on ? garden.can_redo : report.can_redo;
+    struct live_scene_sheet scene = live_scene_sheet(kiosk->scene, bench_wall_s());
+    uint64_t undo = scene.kind != SCENE_PAINTING ? scene.can_undo : report.can_undo;
+    uint64_t redo = scene.kind != SCENE_PAINTING ? scene.can_redo : report.can_redo;
     return (struct kiosk_sheet){report.sessions, report.ticks, undo, redo};
 }
 
@@ -177,8 +178,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                                  .input = input,
                                  .state = def->state,
                                  .painting = def->painting,
-                                 .garden = def->garden,
-                                 .plate = def->plate,
+                                 .scene = def->scene,
+                                 .scene_draw = def->scene_draw,
                                  .clock = def->clock};
     kiosk->input_def = *input_def;
     kiosk->input_def.clock = def->clock;
@@ -337,7 +338,7 @@ static void keep(struct live_kiosk *kiosk)
     uint8_t *rgb = live_picture_capture(kiosk->picture, &width, &height);
     kiosk->keep = false;
     if (rgb) {
-        live_plate_reveal(kiosk->plate, rgb, width, height);
+        live_scene_draw_reveal(kiosk->scene_draw, rgb, width, height);
         char journal[40];
         int fd = live_keep_journal(kiosk->painting);
         snprintf(journal, sizeof journal, "/proc/self/fd/%d", fd);

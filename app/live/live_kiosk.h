@@ -7,13 +7,13 @@
 #include "gallery.h"
 #include "kiosk.h"
 #include "live_clock.h"
-#include "live_garden.h"
 #include "live_input.h"
 #include "live_keep.h"
 #include "live_overlay.h"
 #include "live_picture.h"
 #include "live_pictures.h"
-#include "live_plate.h"
+#include "live_scene.h"
+#include "live_scene_draw.h"
 #include "live_slides.h"
 #include "live_status.h"
 #include "log.h"
@@ -23,8 +23,8 @@ struct live_kiosk_def {
     struct exhibit *exhibit;    /* taken over; NULL: a session, and no kiosk */
     bool open;                  /* whatever the schedule says */
     struct live_keep *painting; /* opened, and known to the studio */
-    struct live_garden *garden; /* known to the studio, too */
-    struct live_plate *plate;
+    struct live_scene *scene;   /* known to the studio, too */
+    struct live_scene_draw *scene_draw;
     const char *state;       /* folder that may be written to, with the gallery in it; NULL: nothing is kept */
     const char *trouble;     /* as in struct live_def */
     struct live_clock clock; /* all zero: the real ones */
@@ -32,8 +32,8 @@ struct live_kiosk_def {
 
 struct live_kiosk {
     struct live_keep *painting; /* that is kept against crashes; who is not ours */
-    struct live_garden *garden; /* the others', too */
-    struct live_plate *plate;
+    struct live_scene *scene;   /* the others', too */
+    struct live_scene_draw *scene_draw;
     bool visited;        /* as it was told last */
     struct kiosk *kiosk; /* NULL: a session */
     struct live_overlay overlay;

@@ -5,12 +5,12 @@
 
 #include "live.h"
 #include "live_care.h"
-#include "live_garden.h"
 #include "live_group.h"
 #include "live_input.h"
 #include "live_kiosk.h"
 #include "live_picture.h"
-#include "live_plate.h"
+#include "live_scene.h"
+#include "live_scene_draw.h"
 #include "live_service.h"
 #include "log.h"
 #include "studio.h"
@@ -26,8 +26,8 @@ struct live {
     struct live_care care;
     struct live_input input;
     struct live_keep painting;
-    struct live_garden *garden;                    /* NULL: a session in which nothing is planted */
-    struct live_plate plate;                       /* of the garden */
+    struct live_scene *scene;                      /* NULL: a session of nothing but painting */
+    struct live_scene_draw scene_draw;             /* of the scene */
     struct studio_teller listener[LIVE_LISTENERS]; /* to what happens in the studio */
     struct live_service service;
     struct live_group group;

@@ -94,7 +94,7 @@ bool plot_lay(struct plot *plot, int64_t ticked, int width, int height, uint8_t 
     return good;
 }
 
-void *plot_scene(struct plot *plot, enum scene_kind kind)
+void *plot_scene(const struct plot *plot, enum scene_kind kind)
 {
     return plot->scenes[kind];
 }

@@ -30,7 +30,13 @@ bool plot_sheet(struct plot *plot, int width, int height, bool fresh);
 bool plot_tick(struct plot *plot, int64_t ticked);
 /* Lays what has appeared over width * height * 3 bytes of sRGB. False when memory is short. */
 bool plot_lay(struct plot *plot, int64_t ticked, int width, int height, uint8_t *rgb);
+/* Channels for files: of every scene its fields and the planes of its model, named by its kind: "chemistry.u". How many
+ * there are, the name of one, and filling width * height values with it: false when memory is short. */
+enum { PLOT_CHANNEL_NAME = 32 };
+int plot_channels(const struct plot *plot);
+void plot_channel_name(const struct plot *plot, int channel, char name[PLOT_CHANNEL_NAME]);
+bool plot_channel(struct plot *plot, int channel, int width, int height, float *values);
 /* The scene of a kind, the plot's; NULL: there is none. */
-void *plot_scene(struct plot *plot, enum scene_kind kind);
+void *plot_scene(const struct plot *plot, enum scene_kind kind);
 
 #endif

@@ -3,10 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "easel.h"
-#include "history.h"
 #include "image.h"
 #include "journal.h"
+#include "running.h"
 #include "script_sheet.h"
 #include "stats.h"
 
@@ -14,10 +13,7 @@
 struct rendering {
     const struct script *script;
     const struct render_def *def;
-    struct easel easel;
-    struct engine *engine;
-    struct history *history; /* NULL: nothing is taken back */
-    struct plot *plot;       /* NULL: nothing grows over a picture */
+    struct running running;
     struct easel_picture picture;
     struct journal_writer journal;
     size_t cells;
@@ -37,36 +33,58 @@ static bool open_picture(struct rendering *rendering, struct file_error *error)
     }
     struct picture_def picture =
         script_picture(script, def->width ? def->width : script->width, def->height ? def->height : script->height);
-    return easel_frame(&rendering->easel, &rendering->picture, &picture, script->ink_count) ||
+    return easel_frame(&rendering->running.easel, &rendering->picture, &picture, script->ink_count) ||
            file_fail(error, "the painting", "memory is short for %dx%d cells and %dx%d pixels", script->width,
                      script->height, picture.width, picture.height);
 }
 
+/* What is written: the painting's fields, then those of what grows over it. */
+struct channels {
+    const char *names[IMAGE_CHANNELS_MAX];
+    const float *planes[IMAGE_CHANNELS_MAX];
+    char own[IMAGE_CHANNELS_MAX][PLOT_CHANNEL_NAME];
+    int count;
+};
+
+static bool fill_channels(struct rendering *rendering, struct channels *channels, float *values)
+{
+    const struct script *script = rendering->script;
+    bool good = true;
+    for (int i = 0; i < channels->count && good; i++) {
+        float *at = values + (size_t)i * rendering->cells;
+        if (i < PAINTING_FIELDS) {
+            rendering->running.engine->ops->read(rendering->running.engine, (enum painting_field)i, at);
+            channels->names[i] = painting_field_name((enum painting_field)i);
+        } else {
+            plot_channel_name(rendering->running.plot, i - PAINTING_FIELDS, channels->own[i]);
+            channels->names[i] = channels->own[i];
+            good = plot_channel(rendering->running.plot, i - PAINTING_FIELDS, script->width, script->height, at);
+        }
+        channels->planes[i] = at;
+    }
+    return good;
+}
+
 static bool write_fields(struct rendering *rendering, const char *path, struct file_error *error)
 {
-    const char *names[PAINTING_FIELDS];
-    const float *planes[PAINTING_FIELDS];
-    float *values = malloc(PAINTING_FIELDS * rendering->cells * sizeof *values);
-    if (!values) {
-        return file_fail(error, path, "memory is short for the fields");
-    }
-    for (int field = 0; field < PAINTING_FIELDS; field++) {
-        float *at = values + (size_t)field * rendering->cells;
-        rendering->engine->ops->read(rendering->engine, (enum painting_field)field, at);
-        names[field] = painting_field_name((enum painting_field)field);
-        planes[field] = at;
-    }
+    struct channels channels = {.count = PAINTING_FIELDS};
+    channels.count += rendering->running.plot ? plot_channels(rendering->running.plot) : 0;
+    channels.count = channels.count < IMAGE_CHANNELS_MAX ? channels.count : IMAGE_CHANNELS_MAX;
+    float *values = malloc((size_t)channels.count * rendering->cells * sizeof *values);
+    bool good = values && fill_channels(rendering, &channels, values);
     struct image_def def = image_default_def();
     def.megabytes = 4096; /* our own planes, not a stranger's file */
-    bool good = image_write_exr(path, names, planes, PAINTING_FIELDS, rendering->script->width,
-                                rendering->script->height, &def, error);
+    good = good ? image_write_exr(path, channels.names, channels.planes, channels.count, rendering->script->width,
+                                  rendering->script->height, &def, error)
+                : file_fail(error, path, "memory is short for the fields");
     free(values);
     return good;
 }
 
 static struct easel_scene scene_of(const struct rendering *rendering)
 {
-    return (struct easel_scene){rendering->engine, rendering->plot, rendering->engine->ops->ticks(rendering->engine)};
+    return (struct easel_scene){rendering->running.engine, rendering->running.plot,
+                                rendering->running.engine->ops->ticks(rendering->running.engine)};
 }
 
 static bool write_frame(struct rendering *rendering, struct file_error *error)
@@ -83,7 +101,7 @@ static void begin_journal(struct rendering *rendering)
     struct painting_def def = script_painting(rendering->script);
     struct journal_sheet sheet = journal_sheet_of(rendering->script, &def);
     snprintf(head.version, sizeof head.version, "%s", FROND_VERSION);
-    snprintf(head.engine, sizeof head.engine, "%s", rendering->engine->ops->name);
+    snprintf(head.engine, sizeof head.engine, "%s", rendering->running.engine->ops->name);
     journal_begin(&rendering->journal, &head);
     journal_sheet(&rendering->journal, 0, &sheet);
 }
@@ -96,42 +114,9 @@ static bool write_journal(struct rendering *rendering, const char *path, struct 
                        : file_write_atomic(path, out->data, out->size, error);
 }
 
-static bool goes_back(const struct script *script)
+static void keep_action(void *data, int64_t tick, const struct action *action)
 {
-    bool back = false;
-    for (int i = 0; i < script->action_count; i++) {
-        enum action_verb verb = script->actions[i].verb;
-        back = back || verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
-    }
-    return back;
-}
-
-static bool open_history(struct rendering *rendering)
-{
-    struct painting_def painting = rendering->engine->ops->get_def(rendering->engine);
-    struct history_def def = history_default_def();
-    rendering->history = goes_back(rendering->script) ? history_create(&def, &painting) : NULL;
-    return rendering->history || !goes_back(rendering->script);
-}
-
-static bool open_plot(struct rendering *rendering)
-{
-    const struct script *script = rendering->script;
-    bool wanted = plot_wanted(script);
-    rendering->plot = wanted ? plot_create(script->width, script->height) : NULL;
-    return rendering->plot || !wanted;
-}
-
-static void act(struct rendering *rendering, int64_t tick, const struct action *action)
-{
-    if (rendering->history) {
-        history_act(rendering->history, rendering->engine, action);
-    } else {
-        rendering->engine->ops->act(rendering->engine, action);
-    }
-    if (rendering->plot) {
-        plot_act(rendering->plot, tick, action);
-    }
+    struct rendering *rendering = data;
     if (rendering->def->journal) {
         journal_action(&rendering->journal, tick, action);
     }
@@ -141,22 +126,15 @@ static void act(struct rendering *rendering, int64_t tick, const struct action *
 static bool run_session(struct rendering *rendering, struct progress *progress, struct file_error *error)
 {
     const struct script *script = rendering->script;
-    int next = 0;
     bool good = true;
     if (rendering->def->journal) {
         begin_journal(rendering);
     }
     for (int64_t tick = 0; good && tick <= script->ticks; tick++) {
-        for (; next < script->action_count && script->actions[next].tick <= tick; next++) {
-            act(rendering, tick, &script->actions[next]);
-        }
-        good = !rendering->plot || plot_tick(rendering->plot, tick) ||
-               file_fail(error, "the painting", "memory is short for what grows over it");
+        running_act(&rendering->running, tick, keep_action, rendering);
+        good = running_plot(&rendering->running, tick, error);
         if (good && tick < script->ticks) {
-            if (rendering->history) {
-                history_tick(rendering->history, rendering->engine);
-            }
-            rendering->engine->ops->tick(rendering->engine);
+            running_tick(&rendering->running);
             good = write_frame(rendering, error);
         }
         if (progress) {
@@ -172,8 +150,9 @@ static bool write_end(struct rendering *rendering, struct file_error *error)
     struct easel_scene scene = scene_of(rendering);
     return (!def->journal || write_journal(rendering, def->journal, error)) &&
            (!def->fields || write_fields(rendering, def->fields, error)) &&
-           (!def->stats || stats_write(def->stats, rendering->script, rendering->engine, error)) &&
-           (!def->svg || easel_write_plan(rendering->engine, def->paper_mm, def->svg, error)) &&
+           (!def->stats ||
+            stats_write(def->stats, rendering->script, rendering->running.engine, rendering->running.plot, error)) &&
+           (!def->svg || easel_write_plan(rendering->running.engine, def->paper_mm, def->svg, error)) &&
            (!def->picture || easel_write(&rendering->picture, &scene, def->picture, error));
 }
 
@@ -181,28 +160,20 @@ bool render(const struct script *script, const struct render_def *def, struct pr
             struct file_error *error)
 {
     struct rendering rendering = {.script = script, .def = def};
-    struct painting_def painting = script_painting(script);
     rendering.cells = (size_t)script->width * (size_t)script->height;
-    rendering.easel.def = (struct easel_def){def->engine, def->shaders, def->threads, def->dense};
+    struct easel_def easel = {def->engine, def->shaders, def->threads, def->dense};
     if (!easel_check_file(def->picture, error) || !easel_check_file(def->fields, error) ||
         !easel_check_file(def->stats, error) || !easel_check_file(def->journal, error) ||
         !easel_check_file(def->svg, error) || !easel_make_folder(def->frames, error)) {
         return false;
     }
-    rendering.engine = easel_engine(&rendering.easel, &painting, error);
-    bool good =
-        rendering.engine &&
-        (open_history(&rendering) || file_fail(error, "the painting", "memory is short for what is taken back")) &&
-        (open_plot(&rendering) || file_fail(error, "the painting", "memory is short for what grows over it")) &&
-        open_picture(&rendering, error) && run_session(&rendering, progress, error) && write_end(&rendering, error);
+    bool good = running_open(&rendering.running, script, &easel, error) && open_picture(&rendering, error) &&
+                run_session(&rendering, progress, error) && write_end(&rendering, error);
     if (progress) {
         progress_end(progress);
     }
     journal_finish(&rendering.journal);
     easel_unframe(&rendering.picture);
-    history_destroy(rendering.history);
-    plot_destroy(rendering.plot);
-    engine_destroy(rendering.engine);
-    easel_close(&rendering.easel);
+    running_close(&rendering.running);
     return good;
 }

@@ -53,7 +53,7 @@ const struct key action_tick_keys[] = {
 
 struct script_def script_default_def(void)
 {
-    return (struct script_def){.raster_values_max = SCRIPT_RASTER_VALUES_MAX};
+    return (struct script_def){.raster_values_max = SCRIPT_RASTER_VALUES_MAX, .work_max = SCRIPT_WORK_MAX};
 }
 
 static bool read_scalar(struct reader *reader, const struct key *key, const struct yaml_node *node, void *object,

@@ -44,10 +44,18 @@ struct script {
     struct script_memory *memory; /* paths and rasters of the actions */
 };
 
+static const int64_t SCRIPT_WORK_MAX = INT64_C(1) << 31; /* some 4000 ticks of 720x720 */
+
 /* A picture as a script's loader gives it: linear light, row by row from the top left, channels interleaved. */
 struct script_picture {
     int width, height, channels; /* channels 1..4: grey, grey and alpha, RGB, RGBA */
     float *values;               /* from malloc; the script frees it */
+};
+
+/* A file that is being read, and those that have named it: so that none is inside itself. */
+struct script_within {
+    uint64_t device, node; /* of its inode; 0: not known */
+    const struct script_within *outer;
 };
 
 struct script_def {
@@ -58,9 +66,13 @@ struct script_def {
     void *data;
     size_t raster_values_max; /* floats of all formulas and pictures together */
     bool every_picture;       /* those of an exhibit's folder are loaded too, only to see whether they can be */
+    int64_t
+        work_max; /* cells times ticks of all sessions that are grown while it is read, those inside them included */
+    const struct script_within *within; /* while a file inside another is read: that one; else NULL */
+    int64_t *spent;                     /* of work_max, then; else NULL */
 };
 
-struct script_def script_default_def(void); /* no loader, SCRIPT_RASTER_VALUES_MAX */
+struct script_def script_default_def(void); /* no loader, SCRIPT_RASTER_VALUES_MAX, SCRIPT_WORK_MAX */
 
 /* Reads a file or a text. NULL when anything is wrong; the report then has at least one problem. `folder` is where
  * pictures are looked for. */

@@ -6,14 +6,18 @@
 #include "formula.h"
 #include "garden.h"
 #include "raster.h"
+#include "script_session.h"
 #include "script_structure.h"
+#include "script_text.h"
 
 /* What one verb's parameters need to know of each other. */
 struct parameters {
     const struct key *setting;       /* what `set`, `shape`, ... sets; NULL for other verbs, or where it is wrong */
     const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
     const struct yaml_node *picture;
-    const struct yaml_node *structure; /* in place of the picture */
+    const struct yaml_node *structure; /* in place of the picture, */
+    const struct yaml_node *text;      /* or words, */
+    const struct yaml_node *session;   /* or what another session comes to */
     bool bound;                        /* place and ink may come later */
 };
 
@@ -208,7 +212,10 @@ static bool read_parameter(struct reader *reader, const struct key *key, const s
         return true;
     }
     if (key->type == KEY_PICTURE) {
-        *(strcmp(key->name, "structure") == 0 ? &parameters->structure : &parameters->picture) = node;
+        *(strcmp(key->name, "structure") == 0 ? &parameters->structure
+          : strcmp(key->name, "text") == 0    ? &parameters->text
+          : strcmp(key->name, "session") == 0 ? &parameters->session
+                                              : &parameters->picture) = node;
         return true;
     }
     if (parameters->setting && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
@@ -229,24 +236,43 @@ static void missing(struct reader *reader, const struct yaml_node *node, const c
     reader_leave(reader, length);
 }
 
+/* One raster at most; whether there is any. */
+/* At most one of them; whether there is any. */
+static bool check_rasters(struct reader *reader, const struct yaml_node *node, const struct parameters *parameters)
+{
+    const char *found[5];
+    int count = 0;
+    const struct {
+        const char *name;
+        const struct yaml_node *node;
+    } rasters[] = {{"formula", parameters->formula},
+                   {"picture", parameters->picture},
+                   {"structure", parameters->structure},
+                   {"text", parameters->text},
+                   {"session", parameters->session}};
+    for (int i = 0; i < 5; i++) {
+        if (rasters[i].node) {
+            found[count++] = rasters[i].name;
+        }
+    }
+    if (count > 1) {
+        reader_problem(reader, node, "both a %s and a %s; one of them", found[0], found[1]);
+    }
+    return count > 0;
+}
+
 /* What no single row of a table can ask for. */
 static void check_together(struct reader *reader, const struct yaml_node *node, enum action_verb verb,
                            const struct parameters *parameters)
 {
     bool at = yaml_get(node, "at"), path = yaml_get(node, "path");
-    bool raster = parameters->formula || parameters->picture || parameters->structure;
-    if (parameters->formula && (parameters->picture || parameters->structure)) {
-        reader_problem(reader, node, "both a formula and a %s; one of them",
-                       parameters->picture ? "picture" : "structure");
-    }
-    if (parameters->picture && parameters->structure) {
-        reader_problem(reader, node, "both a picture and a structure; one of them");
-    }
+    bool raster = check_rasters(reader, node, parameters);
     bool laid = verb == ACTION_BRUSH_SOLVENT || verb == ACTION_BRUSH_INK || verb == ACTION_DRAW;
     if ((verb == ACTION_GUIDE || laid) && !path && !raster && !parameters->bound) {
         reader_problem(reader, node, "no place is given; a path, a formula or a picture");
     }
-    if ((verb == ACTION_MASK || verb == ACTION_DOSE || verb == ACTION_STRIKE) && !at && !path && !raster && !parameters->bound) {
+    if ((verb == ACTION_MASK || verb == ACTION_DOSE || verb == ACTION_STRIKE) && !at && !path && !raster &&
+        !parameters->bound) {
         reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
     }
     if (verb == ACTION_RINSE && !at && !path && !parameters->bound) {
@@ -270,7 +296,7 @@ static void check_together(struct reader *reader, const struct yaml_node *node, 
 
 enum { PARAMETERS_MAX = 16 };
 
-/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure. */
+/* The parameters of a verb as scripts write them: where a picture may stand, so may a structure, words or a session. */
 static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX + 1])
 {
     int count = key_count(action_keys(verb));
@@ -279,6 +305,15 @@ static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX 
     if (picture && verb != ACTION_STOCK) {
         keys[count] = *picture;
         keys[count++].name = "structure";
+    }
+    if (picture && script_text_is_for(verb)) {
+        keys[count] = *picture;
+        keys[count++].name = "text";
+    }
+    if (picture) {
+        keys[count] = *picture;
+        keys[count].required = false;
+        keys[count++].name = "session";
     }
     return count;
 }
@@ -331,6 +366,16 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
         script_structure_read(reader, parameters.structure, action, NULL, NULL);
         reader_leave(reader, length);
     }
+    if (parameters.text) {
+        size_t length = reader_enter(reader, "text");
+        script_text_read(reader, parameters.text, action);
+        reader_leave(reader, length);
+    }
+    if (parameters.session) {
+        size_t length = reader_enter(reader, "session");
+        script_session_read(reader, parameters.session, action);
+        reader_leave(reader, length);
+    }
 }
 
 /* What stands beside the verb. */
@@ -375,58 +420,77 @@ bool script_action_bound(struct reader *reader, const struct yaml_node *node, st
     return reader->report->count + reader->report->dropped == before;
 }
 
-bool script_action_read(struct reader *reader, const struct yaml_node *node, struct action *action)
+/* The keys of an action: its verb, and what stands beside it; NULL where there is none. */
+struct pairs {
+    const struct yaml_node *tick, *visitor, *verb;
+};
+
+static void note_beside(struct reader *reader, const struct yaml_node *k, const struct yaml_node **first)
 {
-    char found[128], allowed[512];
-    int before = reader->report->count + reader->report->dropped;
-    if (node->kind != YAML_MAPPING) {
-        if (node->kind != YAML_REFUSED) {
-            reader_problem(reader, node, "%s where an action should be; {tick: N, verb: {...}}",
-                           yaml_found(node, found, sizeof found));
-        }
-        return false;
+    if (*first) {
+        report_second(reader, k, k->text);
     }
-    const struct yaml_node *tick = NULL, *visitor = NULL, *verb = NULL;
-    struct beside beside = {0};
+    *first = k;
+}
+
+static struct pairs find_pairs(struct reader *reader, const struct yaml_node *node)
+{
+    struct pairs pairs = {NULL, NULL, NULL};
+    char allowed[512];
     bool any = false;
     for (const struct yaml_node *k = node->first; k && k->next; k = k->next->next) {
         bool word = k->kind == YAML_SCALAR;
         if (word && strcmp(k->text, "tick") == 0) {
-            if (tick) {
-                report_second(reader, k, "tick");
-            }
-            tick = k;
+            note_beside(reader, k, &pairs.tick);
             continue;
         }
         if (word && strcmp(k->text, "visitor") == 0) {
-            if (visitor) {
-                report_second(reader, k, "visitor");
-            }
-            visitor = k;
+            note_beside(reader, k, &pairs.visitor);
             continue;
         }
         any = true;
         if (word && action_find(k->text) == ACTION_VERBS) {
             report_verb(reader, k);
-        } else if (word && verb) {
-            report_second(reader, k, verb->text);
+        } else if (word && pairs.verb) {
+            report_second(reader, k, pairs.verb->text);
         } else if (word) {
-            verb = k;
+            pairs.verb = k;
         }
     }
     if (!any) {
         struct names names = names_of_verbs();
         reader_problem(reader, node, "no verb; %s", names_allowed(&names, "", allowed, sizeof allowed));
     }
+    return pairs;
+}
+
+static bool read_action(struct reader *reader, const struct yaml_node *node, bool timed, struct action *action)
+{
+    char found[128];
+    int before = reader->report->count + reader->report->dropped;
+    if (node->kind != YAML_MAPPING) {
+        if (node->kind != YAML_REFUSED) {
+            reader_problem(reader, node, "%s where an action should be; {%sverb: {...}}",
+                           yaml_found(node, found, sizeof found), timed ? "tick: N, " : "");
+        }
+        return false;
+    }
+    struct pairs pairs = find_pairs(reader, node);
+    const struct yaml_node *tick = pairs.tick, *visitor = pairs.visitor, *verb = pairs.verb;
+    struct beside beside = {0};
     if (verb) {
         *action = action_default(action_find(verb->text));
         size_t length = reader_enter(reader, verb->text);
         read_parameters(reader, verb->next, action, false);
         reader_leave(reader, length);
     }
-    if (tick) {
+    if (tick && !timed) {
+        size_t length = reader_enter(reader, "tick");
+        reader_problem(reader, tick, "it is done at once on a fresh sheet; an action without a tick");
+        reader_leave(reader, length);
+    } else if (tick) {
         read_beside(reader, &action_tick_keys[0], tick->next, &beside);
-    } else {
+    } else if (timed) {
         missing(reader, node, "tick", &action_tick_keys[0]);
     }
     if (visitor) {
@@ -435,4 +499,14 @@ bool script_action_read(struct reader *reader, const struct yaml_node *node, str
     action->tick = beside.tick;
     action->visitor = beside.visitor;
     return reader->report->count + reader->report->dropped == before && verb;
+}
+
+bool script_action_read(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    return read_action(reader, node, true, action);
+}
+
+bool script_action_at_once(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    return read_action(reader, node, false, action);
 }

@@ -7,6 +7,9 @@
 /* Reads it into `action`; problems go to the report, and false comes back. */
 bool script_action_read(struct reader *reader, const struct yaml_node *node, struct action *action);
 
+/* The same without a tick, for what is done at once on a fresh sheet. */
+bool script_action_at_once(struct reader *reader, const struct yaml_node *node, struct action *action);
+
 /* The parameters of a verb, without a tick, for an action whose place and ink come when it happens: `at`, `path` and
  * `ink` may be left out. `action` is an action_default of its verb; has_at, path.count and an ink of -1 tell what was
  * left out. */

@@ -52,18 +52,23 @@ void value_wrong_kind(struct reader *reader, const struct yaml_node *node, const
     }
 }
 
-void *reader_take(struct reader *reader, size_t size)
+bool reader_adopt(struct reader *reader, void *block)
 {
-    struct script_memory *memory = malloc(sizeof *memory);
-    void *block = memory ? calloc(1, size ? size : 1) : NULL;
-    if (!block) {
-        free(memory);
+    struct script_memory *memory = block ? malloc(sizeof *memory) : NULL;
+    if (!memory) {
+        free(block);
         report_add(reader->report, 0, 0, "", "memory is short");
-        return NULL;
+        return false;
     }
     *memory = (struct script_memory){.next = reader->script->memory, .block = block};
     reader->script->memory = memory;
-    return block;
+    return true;
+}
+
+void *reader_take(struct reader *reader, size_t size)
+{
+    void *block = calloc(1, size ? size : 1);
+    return reader_adopt(reader, block) ? block : NULL;
 }
 
 const char *value_allowed(const struct key *key, char *buffer, size_t size)

@@ -40,9 +40,11 @@ struct reader {
     struct script *script;
     const struct script_def *def;
     const char *folder;
-    const char *whose;    /* inks: "session's" where it is NULL, for messages */
-    size_t raster_values; /* taken so far */
-    char path[256];       /* "actions[0].drop.radius" */
+    const char *whose;          /* inks: "session's" where it is NULL, for messages */
+    size_t raster_values;       /* taken so far */
+    int64_t spent;              /* of def->work_max, where it is not def->spent that counts */
+    struct script_grown *grown; /* sessions that have been grown (script_session.c) */
+    char path[256];             /* "actions[0].drop.radius" */
 };
 
 /* Goes down to a named or numbered part; reader_leave takes back the length from before. */
@@ -54,6 +56,8 @@ void reader_problem(struct reader *reader, const struct yaml_node *at, const cha
     __attribute__((format(printf, 3, 4)));
 /* Memory that lives as long as the script; NULL is reported. */
 void *reader_take(struct reader *reader, size_t size);
+/* Takes over a block from malloc, for as long. False is reported; the block is free then. */
+bool reader_adopt(struct reader *reader, void *block);
 
 /* Whether a row is a list or a mapping with a reader of its own: one with the unit "section". */
 bool key_is_section(const struct key *key);

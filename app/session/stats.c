@@ -130,7 +130,35 @@ static struct json_object *canvas_object(const struct script *script)
     return object;
 }
 
-bool stats_write(const char *path, const struct script *script, struct engine *engine, struct file_error *error)
+static struct json_object *scenes_object(struct plot *plot)
+{
+    struct json_object *object = json_object_new_object();
+    for (int kind = 0; kind < SCENE_KINDS; kind++) {
+        const struct scene_type *type = scene_types[kind];
+        const void *scene = plot_scene(plot, (enum scene_kind)kind);
+        if (!type || !scene) {
+            continue;
+        }
+        struct scene_figure figures[SCENE_FIGURES];
+        struct json_object *own = json_object_new_object();
+        char hash[17];
+        snprintf(hash, sizeof hash, "%016" PRIx64, type->hash(scene));
+        json_object_object_add(own, "hash", json_object_new_string(hash));
+        int count = type->figures ? type->figures(scene, figures) : 0;
+        for (int i = 0; i < count; i++) {
+            if (figures[i].word) {
+                json_object_object_add(own, figures[i].name, json_object_new_string(figures[i].word));
+            } else {
+                add_number(own, figures[i].name, figures[i].number);
+            }
+        }
+        json_object_object_add(object, type->name, own);
+    }
+    return object;
+}
+
+bool stats_write(const char *path, const struct script *script, struct engine *engine, struct plot *plot,
+                 struct file_error *error)
 {
     size_t cells = (size_t)script->width * (size_t)script->height;
     float *planes = malloc(2 * cells * sizeof *planes);
@@ -153,6 +181,9 @@ bool stats_write(const char *path, const struct script *script, struct engine *e
     json_object_object_add(root, "totals", totals_object(engine));
     json_object_object_add(root, "fields", fields_object(engine, cells, planes));
     json_object_object_add(root, "shape", shape_object(&figures));
+    if (plot) {
+        json_object_object_add(root, "scenes", scenes_object(plot));
+    }
     free(planes);
 
     const char *text = json_object_to_json_string_ext(root, JSON_C_TO_STRING_PRETTY | JSON_C_TO_STRING_SPACED |

@@ -35,7 +35,8 @@ struct studio_event {
     int64_t lost;
 };
 
-/* Called in the studio's thread: quick, and without waiting for anybody. */
+/* Called in the studio's thread: quick, and without waiting for anybody; but STUDIO_TICKED may wait for what is to keep
+ * up with the studio, for a second at most. What it takes is not counted as the tick's. */
 struct studio_teller {
     void (*tell)(void *data, const struct studio_event *event); /* NULL: nobody listens */
     void *data;

@@ -4,7 +4,9 @@
 #include <stdlib.h>
 
 #include "compose.h"
+#include "compose_dish.h"
 #include "compose_garden.h"
+#include "compose_storm.h"
 #include "vary.h"
 
 enum { EVERY = 3 }; /* every third is a recorded one, where there are any */
@@ -93,14 +95,28 @@ static void begin_generated(struct attract *attract, const struct script *scene,
     compose(&attract->performance, &def, &attract->dice);
 }
 
-static void begin_garden(struct attract *attract, float aspect)
+static void begin_garden(struct attract *attract, const struct exhibit_scene *scene, float width, float height)
 {
-    const struct exhibit *exhibit = attract->exhibit;
-    struct compose_garden_def def = {.rate = rate_of(attract)};
-    def.ticks = (int64_t)(exhibit->visit.attract * (float)def.rate);
-    def.width = sqrtf((float)exhibit->sheet.cells * aspect);
-    def.height = (float)exhibit->sheet.cells / def.width;
+    struct compose_garden_def def = {.width = width, .height = height, .rate = rate_of(attract)};
+    (void)scene;
+    def.ticks = (int64_t)(attract->exhibit->visit.attract * (float)def.rate);
     compose_garden(&attract->performance, &def, &attract->dice);
+}
+
+static void begin_storm(struct attract *attract, const struct exhibit_scene *scene, float width, float height)
+{
+    struct compose_storm_def def = {.rate = rate_of(attract), .options = &scene->options};
+    (void)width, (void)height;
+    def.ticks = (int64_t)(attract->exhibit->visit.attract * (float)def.rate);
+    compose_storm(&attract->performance, &def, &attract->dice);
+}
+
+static void begin_dish(struct attract *attract, const struct exhibit_scene *scene, float width, float height)
+{
+    struct compose_dish_def def = {
+        .width = width, .height = height, .rate = rate_of(attract), .options = &scene->options};
+    def.ticks = (int64_t)(attract->exhibit->visit.attract * (float)def.rate);
+    compose_dish(&attract->performance, &def, &attract->dice);
 }
 
 static bool begin_recorded(struct attract *attract, const struct script *scene, int number)
@@ -120,9 +136,13 @@ void attract_begin(struct attract *attract, int scene, float aspect)
 {
     const struct exhibit *exhibit = attract->exhibit;
     const struct script *script = exhibit->scenes[scene].script;
+    static void (*const BEGIN[SCENE_KINDS])(struct attract *, const struct exhibit_scene *, float, float) = {
+        [SCENE_TREES] = begin_garden, [SCENE_LIGHTNING] = begin_storm, [SCENE_CHEMISTRY] = begin_dish};
     attract->next = 0;
-    if (exhibit->scenes[scene].kind == SCENE_TREES) {
-        begin_garden(attract, aspect);
+    if (exhibit->scenes[scene].kind != SCENE_PAINTING) {
+        float width = sqrtf((float)exhibit->sheet.cells * aspect);
+        BEGIN[exhibit->scenes[scene].kind](attract, &exhibit->scenes[scene], width,
+                                           (float)exhibit->sheet.cells / width);
         return;
     }
     int number = attract->begun++, recorded = exhibit->session_count > 0 ? number / EVERY : 0;

@@ -1,6 +1,7 @@
 /* Attract: the sheet paints itself. Sessions are recorded ones of the exhibit, varied, and generated ones, in turn;
- * scenes of trees are planted and tended. No two of a day are the same, and something always moves. Pure but for its
- * seed: ticks come in, actions come out; nothing is written anywhere.
+ * scenes of trees are planted and tended,
+ * those of lightning struck, those of chemistry dosed. No two of a day are the same, and something always moves. Pure
+ * but for its seed: ticks come in, actions come out; nothing is written anywhere.
  *
  *     attract_begin(attract, scene, aspect);                               on a fresh sheet (studio_fresh)
  *     while (attract_action(attract, tick, &action)) { studio_post... }    tick: since the sheet was fresh

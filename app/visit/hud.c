@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "hud_layout.h"
+#include "hud_map.h"
+#include "hud_told.h"
 
 static const float FADE = 0.5f; /* s from nothing to all */
 static const float CALM = 0.6f; /* s that hands have been away until the palette comes back */
@@ -152,6 +154,7 @@ void hud_reset(struct hud *hud)
                                  .held_solid = old.held_solid};
     }
     hud->seated = false;
+    hud->told_count = 0;
     hud->language = hud->def.exhibit->language_count > 0 ? hud->def.exhibit->languages[0] : 0;
     hud_layout(hud);
 }
@@ -270,7 +273,8 @@ static int sooner(int a, int b)
 int hud_timeout_ms(const struct hud *hud, uint64_t now_us)
 {
     bool rests = hud->def.exhibit->palette.opacity < 1;
-    int least = timeout_of(hud->shown_opacity, hud->shown, hud->shown_us, 0, now_us);
+    int least =
+        sooner(timeout_of(hud->shown_opacity, hud->shown, hud->shown_us, 0, now_us), hud_told_timeout_ms(hud, now_us));
     for (int i = 0; i < hud->count; i++) {
         const struct hud_panel *of = &hud->panels[i];
         float wait = of->busy ? fmaxf(hud->def.exhibit->visit.hide, HIDE) : CALM;
@@ -457,6 +461,8 @@ static void leave(struct hud *hud, struct hud_finger *finger, uint64_t now_us)
 static bool come_down(struct hud *hud, const struct event *event, float x, float y)
 {
     int panel = hud->status ? NO_PANEL : panel_at(hud, x, y, event->time_us);
+    int map = hud->status || panel != NO_PANEL ? NO_PANEL : hud_map_at(hud, x, y, event->time_us);
+    panel = map != NO_PANEL ? map : panel;
     if (panel == NO_PANEL && !hud->status) {
         int seat = hud_seat(hud, event->x, event->y);
         if (seat < hud->count) {
@@ -471,8 +477,12 @@ static bool come_down(struct hud *hud, const struct event *event, float x, float
     if (panel != NO_PANEL) {
         hold(&hud->panels[panel], event->time_us);
     }
-    int button = button_at(hud, panel, x, y);
-    *finger = (struct hud_finger){true, event->source, event->slot, panel, button, button != NO_BUTTON};
+    if (map != NO_PANEL) {
+        hud_map_pick(hud, map, x, y);
+    }
+    int button = map != NO_PANEL ? NO_BUTTON : button_at(hud, panel, x, y);
+    *finger =
+        (struct hud_finger){true, event->source, event->slot, panel, button, button != NO_BUTTON, map != NO_PANEL};
     return true;
 }
 
@@ -494,6 +504,9 @@ bool hud_feel(struct hud *hud, const struct event *event, struct hud_press *pres
         return false;
     }
     const struct hud_button *button = button_of(hud, finger->panel, finger->button);
+    if (finger->map && event->kind == EVENT_MOVE) {
+        hud_map_pick(hud, finger->panel, x, y);
+    }
     finger->over = button && inside(x, y, button, 0.5f * HUD_GAP * hud->mm);
     if (event->kind != EVENT_MOVE) {
         leave(hud, finger, event->time_us);

@@ -24,7 +24,7 @@ enum hud_kind {
     HUD_REDO,
     HUD_FINISH,
     HUD_PICTURE,  /* the next one, in scenes of trees */
-    HUD_METAPHOR, /* another kind of growth */
+    HUD_METAPHOR, /* another kind of what grows or reacts */
     HUD_HAND,     /* value, in a press: 1: the palette is on the other side now */
     HUD_SEATED,   /* value, in a press: 1: hud.seated now */
     HUD_LANGUAGE, /* value: of the language that a touch brings (words_languages) */
@@ -34,7 +34,7 @@ enum hud_kind {
     HUD_KINDS,
 };
 
-enum { HUD_BUTTONS = 32, HUD_FINGERS = 64, HUD_THUMB = 48 };
+enum { HUD_BUTTONS = 32, HUD_FINGERS = 64, HUD_THUMB = 48, HUD_TOLD = 2 };
 
 struct hud_button {
     enum hud_kind kind;
@@ -53,6 +53,8 @@ struct hud_panel {
     int lines;                 /* of buttons: columns of a strip that stands, rows of one at the bottom */
     int open;                  /* enum hud_kind of the group that is shown in place of the rest; -1: none */
     int tool, ink;             /* chosen; to be set by hud_choose */
+    bool has_picked;           /* on its map (hud_map.h): */
+    float picked[2];           /* feed and kill */
     bool any_ink;              /* no ink is chosen yet, and each finger takes the next (inputs.visitors) */
     bool can_undo, can_redo;   /* set by the kiosk */
     int scanned;               /* the button that one-switch play is at; -1: none. Set by the kiosk */
@@ -79,7 +81,14 @@ struct hud {
     int count;
     int language; /* index as of words.h */
     bool seated;
-    int metaphor; /* enum metaphor of a scene of trees, now. Set by the kiosk */
+    float map_feed, map_kill; /* where the map's mark is (hud_map.h) */
+    struct hud_told {         /* what was turned last (hud_told.h) */
+        const struct key *key;
+        float value;
+        uint64_t us;
+    } told[HUD_TOLD];
+    int told_count;
+    uint64_t told_us, told_begun_us; /* the last of them; since when the label is shown */
     struct hud_thumb {
         int width, height; /* 0: none */
         uint8_t grey[HUD_THUMB * HUD_THUMB];
@@ -95,6 +104,7 @@ struct hud {
         int slot, panel; /* panel -1: it is on the sheet below the staff's view */
         int button;      /* that it went down on; -1: none there */
         bool over;       /* it is still on it */
+        bool map;        /* it is on the map of the panel */
     } fingers[HUD_FINGERS];
 };
 

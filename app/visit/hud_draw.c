@@ -9,7 +9,9 @@
 #include "hud_layout.h"
 
 static const struct pen_colour SCANNED = {0, 0.3, 0.95};
-static const struct pen_colour LEAF = {0.42, 0.6, 0.26}; /* in scenes of trees, which have no inks */
+/* In scenes that have no inks: of leaves, of a flash, of a reagent. */
+static const struct pen_colour COLOURS[SCENE_KINDS] = {
+    [SCENE_TREES] = {0.42, 0.6, 0.26}, [SCENE_LIGHTNING] = {0.55, 0.6, 0.98}, [SCENE_CHEMISTRY] = {0.93, 0.58, 0.28}};
 static const double SQUEEZED_LINE = 0.83; /* letters are made narrower down to this before words take a second line */
 static const double SQUEEZED = 0.68;      /* and down to this before they are left out */
 
@@ -22,15 +24,21 @@ struct board {
     double mm, left, top; /* pixels; where the image begins on the sheet */
 };
 
-static enum hud_icon icon_of(const struct hud_button *button)
+static enum hud_icon icon_of(const struct hud *hud, const struct hud_button *button)
 {
+    static const enum hud_icon KINDS[SCENE_KINDS] = {[SCENE_PAINTING] = ICON_METAPHOR,
+                                                     [SCENE_TREES] = ICON_METAPHOR,
+                                                     [SCENE_LIGHTNING] = ICON_BOLTS,
+                                                     [SCENE_CHEMISTRY] = ICON_PATTERNS};
     static const enum hud_icon ICONS_OF[HUD_KINDS] = {
-        [HUD_UNDO] = ICON_UNDO,       [HUD_REDO] = ICON_REDO,         [HUD_FINISH] = ICON_FINISH,
-        [HUD_HAND] = ICON_HAND,       [HUD_SEATED] = ICON_SEATED,     [HUD_LANGUAGE] = ICON_LANGUAGE,
-        [HUD_PICTURE] = ICON_PICTURE, [HUD_METAPHOR] = ICON_METAPHOR, [HUD_MORE] = ICON_MORE,
-        [HUD_EXIT] = ICON_EXIT,       [HUD_BACK] = ICON_BACK,
+        [HUD_UNDO] = ICON_UNDO,       [HUD_REDO] = ICON_REDO,     [HUD_FINISH] = ICON_FINISH,
+        [HUD_HAND] = ICON_HAND,       [HUD_SEATED] = ICON_SEATED, [HUD_LANGUAGE] = ICON_LANGUAGE,
+        [HUD_PICTURE] = ICON_PICTURE, [HUD_MORE] = ICON_MORE,     [HUD_EXIT] = ICON_EXIT,
+        [HUD_BACK] = ICON_BACK,
     };
-    return button->kind == HUD_TOOL ? (enum hud_icon)(ICON_DROP + button->value) : ICONS_OF[button->kind];
+    return button->kind == HUD_TOOL       ? (enum hud_icon)(ICON_DROP + button->value)
+           : button->kind == HUD_METAPHOR ? KINDS[hud_kind_of_scene(hud)]
+                                          : ICONS_OF[button->kind];
 }
 
 static bool is_chosen(const struct hud *hud, const struct hud_panel *panel, const struct hud_button *button)
@@ -47,6 +55,7 @@ static uint64_t panel_key(const struct hud *hud, int number)
     const float places[] = {panel->x, panel->y, panel->width, panel->height};
     key = pen_hash(key, places, sizeof places);
     key = pen_hash_int(pen_hash_int(key, panel->labels), panel->any_ink ? -1 : panel->ink);
+    key = pen_hash_int(key, hud_kind_of_scene(hud));
     if (hud_kind_of_scene(hud) == SCENE_TREES) {
         key = pen_hash(key, &hud->thumb, sizeof hud->thumb);
     }
@@ -67,11 +76,12 @@ static uint64_t panel_key(const struct hud *hud, int number)
     return key;
 }
 
-/* The ink that icons drip: the chosen one, or that of leaves, bright enough for its ground. */
+/* The ink that icons drip: the chosen one, or that of the kind of scene, bright enough for its ground. */
 static struct pen_colour wet_of(const struct board *board, bool dark)
 {
-    bool trees = hud_kind_of_scene(board->hud) == SCENE_TREES;
-    struct pen_colour colour = trees ? LEAF : hud_ink_colour(board->hud, board->panel->ink, 0.8);
+    int kind = hud_kind_of_scene(board->hud);
+    bool inked = kind == SCENE_PAINTING;
+    struct pen_colour colour = inked ? hud_ink_colour(board->hud, board->panel->ink, 0.8) : COLOURS[kind];
     for (int i = 0; i < 8 && dark && pen_luminance(colour) < 0.18; i++) {
         colour = pen_between(colour, pen_paper, 0.2);
     }
@@ -245,7 +255,7 @@ static void draw_button(const struct board *board, int index)
         draw_ink(board, button, middle, across - lift,
                  fmin(plain ? 1.35 * side : side, (double)button->width) - 2 * lift);
     } else {
-        hud_icon_draw(pen, icon_of(button), middle, across - lift, 0.41 * side, &style);
+        hud_icon_draw(pen, icon_of(board->hud, button), middle, across - lift, 0.41 * side, &style);
     }
     if (button->kind == HUD_PICTURE) {
         draw_thumb(board, middle, across - lift, 0.41 * side);

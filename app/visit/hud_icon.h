@@ -14,11 +14,19 @@ enum hud_icon {
     ICON_PLANT,
     ICON_TEND,
     ICON_THIN,
+    ICON_STRIKE,
+    ICON_REPEL,
+    ICON_STROKE,
+    ICON_DOSE,
+    ICON_ERASE,
+    ICON_MAP,
     ICON_UNDO,
     ICON_REDO,
     ICON_FINISH,
     ICON_PICTURE,  /* a framed one */
     ICON_METAPHOR, /* a leaf that becomes a star of frost */
+    ICON_BOLTS,    /* a flash that becomes a coral */
+    ICON_PATTERNS, /* spots that become a maze */
     ICON_HAND,     /* two ways */
     ICON_SEATED,   /* somebody in a wheelchair */
     ICON_LANGUAGE, /* an empty bubble of speech */

@@ -31,4 +31,14 @@ void hud_icon_thin(const struct pen *pen, const struct hud_icon_style *style);
 void hud_icon_picture(const struct pen *pen, const struct hud_icon_style *style);
 void hud_icon_metaphor(const struct pen *pen, const struct hud_icon_style *style);
 
+/* Of scenes of lightning and chemistry. */
+void hud_icon_strike(const struct pen *pen, const struct hud_icon_style *style);
+void hud_icon_repel(const struct pen *pen, const struct hud_icon_style *style);
+void hud_icon_stroke(const struct pen *pen, const struct hud_icon_style *style);
+void hud_icon_dose(const struct pen *pen, const struct hud_icon_style *style);
+void hud_icon_erase(const struct pen *pen, const struct hud_icon_style *style);
+void hud_icon_map(const struct pen *pen, const struct hud_icon_style *style);
+void hud_icon_bolts(const struct pen *pen, const struct hud_icon_style *style);
+void hud_icon_patterns(const struct pen *pen, const struct hud_icon_style *style);
+
 #endif

@@ -14,7 +14,9 @@ enum hud_piece {
     PIECE_STATUS,
     PIECE_MARK,
     PIECE_HAND,
-    PIECE_LINE
+    PIECE_LINE,
+    PIECE_TOLD,
+    PIECE_MAP,
 };
 
 /* A key of a piece, with the sheet, the language and the texts' exhibit in it. */

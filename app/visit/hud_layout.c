@@ -97,23 +97,36 @@ static void list_tools(const struct hud *hud, struct list *list)
     const struct exhibit_palette *palette = &hud->def.exhibit->palette;
     int kind = hud_kind_of_scene(hud), first = (int)tool_first(kind);
     bool any = false;
-    for (int i = first + 1; tool_fits(i, kind); i++) {
-        any = any || palette->tools[i];
+    for (int i = first + 1; i < TOOLS; i++) {
+        any = any || (tool_fits(i, kind) && palette->tools[i]);
     }
-    for (int i = first; tool_fits(i, kind) && any; i++) {
-        if (i == first || palette->tools[i]) {
+    for (int i = first; i < TOOLS && any; i++) {
+        if (i == first || (tool_fits(i, kind) && palette->tools[i])) {
             add(list, GROUP_TOOLS, HUD_TOOL, i);
         }
     }
 }
 
-/* What grows over what. */
+/* Whether there are several kinds of what grows or reacts. */
+static bool has_kinds(const struct hud *hud)
+{
+    enum scene_kind kind = (enum scene_kind)hud_kind_of_scene(hud);
+    const struct key *key = scene_options_keys(kind);
+    while (key->name && !(key->type == KEY_CHOICE && scene_option_brings(kind, key))) {
+        key++;
+    }
+    return key->name;
+}
+
+/* What grows, and over what. */
 static void list_choices(const struct hud *hud, struct list *list)
 {
-    if (hud->def.exhibit->pictures) {
+    if (hud->def.exhibit->pictures && hud_kind_of_scene(hud) == SCENE_TREES) {
         add(list, GROUP_CHOICES, HUD_PICTURE, 0);
     }
-    add(list, GROUP_CHOICES, HUD_METAPHOR, 0);
+    if (has_kinds(hud)) {
+        add(list, GROUP_CHOICES, HUD_METAPHOR, 0);
+    }
 }
 
 static void list_others(const struct hud *hud, struct list *list)
@@ -154,12 +167,10 @@ static struct list list_all(const struct hud *hud, int panel, int folds)
     if (folds > 1) {
         fold(&list, from, HUD_TOOL, hud->panels[panel].tool);
     }
-    if (hud_kind_of_scene(hud) == SCENE_TREES) {
-        from = list.count;
-        list_choices(hud, &list);
-        if (folds > 2) {
-            fold(&list, from, HUD_PICTURE, 0);
-        }
+    from = list.count;
+    list_choices(hud, &list);
+    if (folds > 2) {
+        fold(&list, from, HUD_PICTURE, 0);
     }
     if (palette->undo) {
         add(&list, GROUP_DEEDS, HUD_UNDO, 0);

@@ -17,7 +17,7 @@
 void hud_layout_panel(struct hud *hud, int panel);
 /* The two buttons of the staff's view. */
 void hud_layout_staff(struct hud *hud);
-/* Painting or trees: enum scene_kind. */
+/* enum scene_kind. */
 int hud_kind_of_scene(const struct hud *hud);
 /* The inks that a scene offers. */
 int hud_inks(const struct hud *hud);

@@ -53,11 +53,11 @@ struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us)
     if (def->resume) {
         kiosk->scene = def->scene;
         kiosk->grounded = kiosk->stocked = true;
-        kiosk->growth = kiosk_scene(kiosk)->growth;
         visit_resume(&kiosk->visit, kiosk->exhibit, now_us);
     } else {
         visit_init(&kiosk->visit, kiosk->exhibit, now_us);
     }
+    kiosk->options = kiosk_scene(kiosk)->options;
     kiosk_layout(kiosk);
     hud_reset(&kiosk->hud);
     return kiosk;
@@ -104,7 +104,7 @@ static struct kiosk_sheet sheet_of(const struct kiosk *kiosk)
     return kiosk->def.stage.sheet(kiosk->def.stage.context);
 }
 
-/* What a scene has on every fresh sheet: a guide, a mask; or a picture to grow over. */
+/* What a scene has on every fresh sheet: a picture to grow over, what is set in it; a guide, a mask, its opening. */
 static void lay_ground(struct kiosk *kiosk)
 {
     const struct exhibit_scene *scene = kiosk_scene(kiosk);
@@ -112,10 +112,8 @@ static void lay_ground(struct kiosk *kiosk)
         return;
     }
     kiosk->grounded = true;
-    if (scene->kind == SCENE_TREES) {
-        kiosk_lay_garden(kiosk);
-        return;
-    }
+    kiosk_lay_garden(kiosk);
+    kiosk_lay_options(kiosk);
     for (int i = 0; i < scene->ground_count; i++) {
         kiosk_post(kiosk, &scene->ground[i], 0);
     }
@@ -126,7 +124,7 @@ static void fresh_sheet(struct kiosk *kiosk)
     kiosk->sheet = sheet_of(kiosk).number + 1;
     kiosk->grounded = kiosk->begun = kiosk->washing = false;
     kiosk->def.stage.fresh(kiosk->def.stage.context);
-    if (kiosk_has_trees(kiosk)) { /* at once: what visitors plant comes after it */
+    if (kiosk_kind(kiosk) != SCENE_PAINTING) { /* at once: what visitors plant, strike or dose comes after it */
         lay_ground(kiosk);
     }
 }
@@ -141,7 +139,7 @@ static void show_scene(struct kiosk *kiosk, int scene)
         const struct script *script = kiosk_scene(kiosk)->script;
         controls_scene(kiosk->controls, script->ink_count, &script->coefficients);
     }
-    kiosk->growth = kiosk_scene(kiosk)->growth;
+    kiosk->options = kiosk_scene(kiosk)->options;
     kiosk_stand_dials(kiosk);
     choose_again(kiosk);
 }
@@ -247,7 +245,7 @@ static void run_attract(struct kiosk *kiosk, int64_t tick)
     if (!kiosk->begun) {
         attract_begin(kiosk->attract, kiosk->scene, (float)kiosk->def.width / (float)kiosk->def.height);
         kiosk->begun = true;
-        if (!kiosk_has_trees(kiosk) && ++kiosk->painted % 2 == 0 && kiosk->def.stage.guide &&
+        if (kiosk_kind(kiosk) == SCENE_PAINTING && ++kiosk->painted % 2 == 0 && kiosk->def.stage.guide &&
             kiosk->def.stage.guide(kiosk->def.stage.context, &action)) {
             kiosk_post(kiosk, &action, 0);
         }
@@ -277,6 +275,7 @@ static void run_sheet(struct kiosk *kiosk, uint64_t now_us)
     }
     lay_ground(kiosk);
     kiosk_run_garden(kiosk);
+    kiosk_run_maps(kiosk, now_us);
     if (kiosk->washing) {
         run_wash(kiosk, sheet.tick, now_us);
     } else if (kiosk->attracting) {
@@ -373,8 +372,8 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     bool other = kiosk_scene(kiosk)->kind != before->kind;
     if (kiosk->attracting || other) { /* what paints itself begins anew; what a visitor has painted stays */
         fresh_sheet(kiosk);
-    } else if (kiosk_has_trees(kiosk)) {
-        kiosk_change_garden(kiosk, &before->growth);
+    } else if (kiosk_kind(kiosk) != SCENE_PAINTING) {
+        kiosk_change_options(kiosk, &before->options);
     }
     return old;
 }

@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "hud_map.h"
 #include "kiosk_state.h"
 
 enum {
@@ -187,7 +188,7 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
 
 bool kiosk_act(struct kiosk *kiosk, const struct action *action, uint64_t event_us, uint64_t now_us)
 {
-    if (!kiosk_takes(kiosk, action->verb)) {
+    if (!scene_takes(kiosk_kind(kiosk), action->verb)) {
         return true;
     }
     visit_feel(&kiosk->visit, VISIT_PAINT, now_us);
@@ -195,9 +196,7 @@ bool kiosk_act(struct kiosk *kiosk, const struct action *action, uint64_t event_
     if (!visit_paints(&kiosk->visit)) {
         return true;
     }
-    if (action->verb == ACTION_SHAPE) {
-        kiosk_take_shape(kiosk, action);
-    }
+    kiosk_take_option(kiosk, action, now_us);
     return kiosk_post(kiosk, action, event_us);
 }
 
@@ -237,7 +236,7 @@ void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t no
         kiosk_next_picture(kiosk);
         break;
     case HUD_METAPHOR:
-        kiosk_next_metaphor(kiosk);
+        kiosk_next_kind(kiosk, now_us);
         break;
     case HUD_FINISH:
         visit_feel(&kiosk->visit, VISIT_FINISH, now_us);
@@ -307,7 +306,12 @@ void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
         kiosk_next_picture(kiosk);
         break;
     case WISH_NEXT_METAPHOR:
-        kiosk_next_metaphor(kiosk);
+        if (kiosk_has_trees(kiosk)) {
+            kiosk_next_kind(kiosk, now_us);
+        }
+        break;
+    case WISH_NEXT_KIND:
+        kiosk_next_kind(kiosk, now_us);
         break;
     case WISH_SWITCH:
         access_switch(&kiosk->access, wish->down, buttons_of(kiosk), wish->time_us);
@@ -320,6 +324,9 @@ void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
 /* A drop of a point that has rested, or of the switch. */
 static void tap(struct kiosk *kiosk, const struct access_result *result)
 {
+    if (hud_map_tap(&kiosk->hud, result->x, result->y, result->time_us)) {
+        return;
+    }
     int visitor = result->id >= CURSOR_ID ? result->id - CURSOR_ID : 0;
     if (kiosk->controls) {
         controls_tap(kiosk->controls, visitor, (struct point){result->x, result->y}, result->time_us);

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "hud_map.h"
+#include "hud_told.h"
 #include "kiosk_state.h"
 
 enum { INVITE_US = 5000000, CURSORS = 8 };
@@ -35,6 +37,23 @@ static void look_at_panels(struct kiosk *kiosk, uint64_t now_us)
         }
         hud_draw_panel(&kiosk->hud, i, &kiosk->images[LOOK_PANEL + i]);
         put(kiosk, LOOK_PANEL + i, opacity);
+    }
+}
+
+/* Open maps, and what was turned last: beside the palettes, and while a visit paints. */
+static void look_beside_panels(struct kiosk *kiosk, uint64_t now_us)
+{
+    float told = visit_paints(&kiosk->visit) ? hud_told_opacity(&kiosk->hud, now_us) : 0, place[4];
+    for (int i = 0; i < kiosk->hud.count; i++) {
+        float opacity = hud_opacity(&kiosk->hud, i, now_us);
+        if (opacity > 0 && hud_map_place(&kiosk->hud, i, place)) {
+            hud_draw_map(&kiosk->hud, i, &kiosk->images[LOOK_MAP + i]);
+            put(kiosk, LOOK_MAP + i, opacity);
+        }
+        if (told > 0) {
+            hud_draw_told(&kiosk->hud, i, &kiosk->images[LOOK_TOLD + i]);
+            put(kiosk, LOOK_TOLD + i, told);
+        }
     }
 }
 
@@ -162,6 +181,7 @@ const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
     }
     memset(&kiosk->pieces, 0, sizeof kiosk->pieces);
     look_at_panels(kiosk, now_us);
+    look_beside_panels(kiosk, now_us);
     look_at_cursors(kiosk, now_us);
     look_at_dwelling(kiosk, now_us);
     look_at_access(kiosk);

@@ -9,9 +9,11 @@
 #include "hud_draw.h"
 
 enum {
-    LOOK_SLIDE, /* a picture of the gallery, over the whole sheet */
-    LOOK_PANEL, /* + seat */
-    LOOK_CURSOR = LOOK_PANEL + EXHIBIT_SEATS,
+    LOOK_SLIDE,                            /* a picture of the gallery, over the whole sheet */
+    LOOK_PANEL,                            /* + seat */
+    LOOK_MAP = LOOK_PANEL + EXHIBIT_SEATS, /* + seat */
+    LOOK_TOLD = LOOK_MAP + EXHIBIT_SEATS,  /* + seat */
+    LOOK_CURSOR = LOOK_TOLD + EXHIBIT_SEATS,
     LOOK_ACROSS = LOOK_CURSOR + 8, /* lines of one-switch play */
     LOOK_DOWN,
     LOOK_HAND, /* that paints in attract */

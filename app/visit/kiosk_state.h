@@ -28,11 +28,11 @@ struct kiosk {
     struct wash wash;
     struct swallow swallow;
 
+    struct scene_options options; /* of the scene, as they are now (kiosk_options.c) */
     /* Of a scene of trees (kiosk_garden.c). */
-    struct growth_def growth; /* as it is now */
-    bool stocked;             /* the sheet has a picture */
-    bool wants_picture;       /* a visitor has asked for the next, which is not read yet */
-    int gardens;              /* begun */
+    bool stocked;       /* the sheet has a picture */
+    bool wants_picture; /* a visitor has asked for the next, which is not read yet */
+    int gardens;        /* begun */
 
     int sheet;        /* number of the sheet that is meant; what is posted is for it */
     bool grounded;    /* its ground has been laid */
@@ -82,20 +82,26 @@ void kiosk_let_all_go(struct kiosk *kiosk);
 
 /* kiosk_garden.c */
 bool kiosk_has_trees(const struct kiosk *kiosk);
-/* Whether a verb is one for this kind of scene: bindings may have some for both. */
-bool kiosk_takes(const struct kiosk *kiosk, enum action_verb verb);
-/* A fresh sheet: the picture, and how it grows. In attract it is another picture each time. */
+/* The picture of a fresh sheet of trees; nothing of other scenes. In attract it is another each time. */
 void kiosk_lay_garden(struct kiosk *kiosk);
 /* Pictures that are waited for. */
 void kiosk_run_garden(struct kiosk *kiosk);
-/* Dials, and the palette, stand where the growth is. */
-void kiosk_stand_dials(struct kiosk *kiosk);
-/* A visitor has set how it grows. */
-void kiosk_take_shape(struct kiosk *kiosk, const struct action *action);
-/* Another exhibit has this scene on the same sheet; it grew so before by its file. */
-void kiosk_change_garden(struct kiosk *kiosk, const struct growth_def *before);
 void kiosk_next_picture(struct kiosk *kiosk);
-void kiosk_next_metaphor(struct kiosk *kiosk);
+
+/* kiosk_options.c */
+enum scene_kind kiosk_kind(const struct kiosk *kiosk);
+/* A fresh sheet: what is set in its scene is as the file has it. */
+void kiosk_lay_options(struct kiosk *kiosk);
+/* Dials stand where the options are. */
+void kiosk_stand_dials(struct kiosk *kiosk);
+/* A visitor has set something: an option, a coefficient. It is shown beside the palette. */
+void kiosk_take_option(struct kiosk *kiosk, const struct action *action, uint64_t now_us);
+/* Another exhibit has this scene on the same sheet; these were its options before by its file. */
+void kiosk_change_options(struct kiosk *kiosk, const struct scene_options *before);
+/* The next value of what brings others: metaphor, kind, preset. */
+void kiosk_next_kind(struct kiosk *kiosk, uint64_t now_us);
+/* What was picked on a map since. */
+void kiosk_run_maps(struct kiosk *kiosk, uint64_t now_us);
 
 /* kiosk.c */
 void kiosk_layout(struct kiosk *kiosk);

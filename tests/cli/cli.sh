@@ -46,7 +46,7 @@ present() {
 }
 
 # Help and version: on stdout, status 0.
-for command in run render replay check explain devices grow; do
+for command in run render replay check explain devices grow bolt; do
     expect 0 "$command" --help
     quiet
     head -n 1 out.txt | grep -q "^usage: frond $command" || fail "$last: no usage"

@@ -57,9 +57,12 @@ void figure_photographs(struct figure *figure); /* figure_photographs.c */
 void figure_hidden(struct figure *figure);
 void figure_portrait(struct figure *figure);  /* figure_portrait.c */
 void figure_laplacian(struct figure *figure); /* figure_laplacian.c */
+void figure_bolts(struct figure *figure);     /* figure_bolts.c */
+void figure_lsystem(struct figure *figure);   /* figure_lsystem.c */
 void figure_light(struct figure *figure);     /* figure_light.c */
 void figure_chemistry(struct figure *figure); /* figure_chemistry.c */
 void figure_classes(struct figure *figure);
+void figure_dish(struct figure *figure); /* figure_dish.c */
 
 /* Prints "ok" or "FAIL", the name of the group and the text; counts. Returns `holds`. */
 bool figure_check(struct figure *figure, bool holds, const char *text, ...) __attribute__((format(printf, 3, 4)));

@@ -10,6 +10,8 @@
 #include "figure.h"
 #include "hud_case.h"
 #include "hud_draw.h"
+#include "hud_map.h"
+#include "hud_told.h"
 
 enum { LANGUAGES = 4, QUARTER = 4, GAP = 8, LABEL = 18 }; /* columns; size of what is kept; pixels */
 
@@ -20,7 +22,24 @@ static const struct hud_screen SCREENS[] = {
 };
 static const char *const SCREEN_FILES[] = {"7", "22-upright", "24"};
 
-enum scene { TOUCH, INVITE, LEFT, RIGHT, BOTTOM, SCANNED, OPEN, TREES, COUNTDOWN, THANKS, CLOSED, STATUS, SCENES };
+enum scene {
+    TOUCH,
+    INVITE,
+    LEFT,
+    RIGHT,
+    BOTTOM,
+    SCANNED,
+    OPEN,
+    TREES,
+    STORM,
+    DISH,
+    MAP,
+    COUNTDOWN,
+    THANKS,
+    CLOSED,
+    STATUS,
+    SCENES
+};
 static const char *const SCENE_NAMES[SCENES] = {
     [TOUCH] = "attract, a touch",
     [INVITE] = "attract",
@@ -31,6 +50,9 @@ static const char *const SCENE_NAMES[SCENES] = {
     [OPEN] = "a group opened",
     [COUNTDOWN] = "countdown",
     [TREES] = "trees",
+    [STORM] = "lightning",
+    [DISH] = "chemistry",
+    [MAP] = "map",
     [THANKS] = "thanks",
     [CLOSED] = "closed soon",
     [STATUS] = "staff",
@@ -66,13 +88,38 @@ static void lay_over(cairo_t *cairo, const struct hud_image *image, double x, do
     cairo_surface_destroy(surface);
 }
 
+/* What was turned last, and the map. */
+static void draw_beside(struct hud *hud, enum scene scene, struct hud_image *image, cairo_t *cairo)
+{
+    struct scene_options options = scene_options_default(SCENE_CHEMISTRY);
+    options.chemistry.reaction.feed = 0.0367f;
+    options.chemistry.reaction.kill = 0.0619f;
+    hud_map_stand(hud, &options);
+    if (scene == MAP) {
+        hud_draw_map(hud, 0, image);
+        lay_over(cairo, image, image->x, image->y);
+    } else if (scene == STORM) {
+        hud_tell(hud, key_find(storm_keys, "eta"), 3.25f, 0);
+        hud_tell(hud, key_find(storm_keys, "kind"), BOLT_CORAL, 0);
+    } else if (scene == DISH || scene == LEFT) {
+        bool dish = scene == DISH;
+        hud_tell(hud, dish ? key_find(dish_keys, "feed") : key_find(coefficient_keys, "s_max"), 0.0367f, 0);
+    }
+    if (hud->told_count > 0) {
+        hud_draw_told(hud, 0, image);
+        lay_over(cairo, image, image->x, image->y);
+    }
+}
+
 static void draw_panel(struct hud *hud, enum scene scene, cairo_t *cairo)
 {
     struct hud_image image = {.rgba = NULL};
     struct hud_press press;
     struct hud_panel *panel = &hud->panels[0];
+    static const int TOOLS_CHOSEN[SCENES] = {
+        [TREES] = TOOL_TEND, [STORM] = TOOL_STRIKE, [DISH] = TOOL_DOSE, [MAP] = TOOL_MAP, [RIGHT] = TOOL_BRUSH};
     panel->can_undo = true;
-    hud_choose(hud, 0, scene == TREES ? TOOL_TEND : scene == RIGHT ? TOOL_BRUSH : TOOL_DROP, scene == RIGHT ? 2 : 1);
+    hud_choose(hud, 0, TOOLS_CHOSEN[scene], scene == RIGHT ? 2 : 1);
     panel->scanned = scene == SCANNED ? panel->count / 2 : -1;
     for (int i = 0; i < panel->count && scene == OPEN; i++) {
         if (panel->buttons[i].folded && !hud_press(hud, 0, i, 0, &press)) {
@@ -81,6 +128,7 @@ static void draw_panel(struct hud *hud, enum scene scene, cairo_t *cairo)
     }
     hud_draw_panel(hud, 0, &image);
     lay_over(cairo, &image, image.x, image.y);
+    draw_beside(hud, scene, &image, cairo);
     hud_draw_cursor(hud, panel->ink, scene == SCANNED ? 0.6f : 0, &image);
     lay_over(cairo, &image, 0.55 * hud->def.width - 0.5 * image.width, 0.4 * hud->def.height - 0.5 * image.height);
     hud_draw_mark(hud, &image);
@@ -107,7 +155,10 @@ static void draw_scene(const struct hud_screen *screen, enum scene scene, int la
     struct hud hud;
     struct hud_image image = {.rgba = NULL};
     hud_case_init(&place, screen, scene == BOTTOM ? SIDE_OF_BOTTOM : SIDE_OF_LEFT);
-    place.exhibit.scenes[0].kind = scene == TREES ? SCENE_TREES : SCENE_PAINTING;
+    place.exhibit.scenes[0].kind = scene == TREES                  ? SCENE_TREES
+                                   : scene == STORM                ? SCENE_LIGHTNING
+                                   : scene == DISH || scene == MAP ? SCENE_CHEMISTRY
+                                                                   : SCENE_PAINTING;
     place.exhibit.pictures = "pictures";
     struct hud_def def = hud_case_def(&place, screen);
     hud_init(&hud, &def);

@@ -27,17 +27,19 @@ static void check_lines(const struct inputs_lines *lines, int count)
     }
 }
 
-/* A dial turns a coefficient, or how trees grow, choices and flags among that; not both. */
+/* A dial turns a coefficient, or an option of a scene, choices and flags among that; not both. */
 static void check_turn(const struct binding *binding)
 {
-    assert((binding->coefficient >= 0) != (binding->growth >= 0));
-    const struct key *key =
-        binding->growth >= 0 ? &growth_keys[binding->growth] : &coefficient_keys[binding->coefficient];
+    assert((binding->coefficient >= 0) != (binding->option >= 0));
+    assert((binding->option >= 0) == (binding->scene != SCENE_PAINTING) && binding->scene < SCENE_KINDS);
+    const struct key *options = scene_options_keys((enum scene_kind)binding->scene);
+    assert(binding->option < key_count(options));
+    const struct key *key = binding->option >= 0 ? &options[binding->option] : &coefficient_keys[binding->coefficient];
     double most = key->type == KEY_FLAG ? 1 : key->max;
     for (int i = 0; key->type == KEY_CHOICE && key->choices[i]; i++) {
         most = i;
     }
-    assert(binding->growth >= 0 || key->type != KEY_CHOICE);
+    assert(binding->option >= 0 || key->type != KEY_CHOICE);
     assert(binding->axis.from >= (float)key->min && binding->axis.to <= (float)most);
 }
 

@@ -64,6 +64,7 @@ static void add_tables(struct example *example)
         {"palettes", "palettes[]"},
         {"scenes", "scenes[]"},
         {"structures", "scenes[].structures[]"},
+        {"scene_inputs", "scenes[].inputs[]"},
         {"seats", "seats[]"},
         {"schedule", "schedule[]"},
         {"touch", "inputs.touch"},
@@ -82,7 +83,7 @@ static void add_tables(struct example *example)
         {"cursor", "inputs.bindings[].cursor"},
         {"length", "inputs.bindings[].length"},
     };
-    struct key trees[EXHIBIT_TREES_KEYS], structure[SCRIPT_STRUCTURE_KEYS];
+    struct key options[EXHIBIT_OPTIONS_KEYS], structure[SCRIPT_STRUCTURE_KEYS];
     const struct inputs_table *const files[] = {exhibit_tables, inputs_tables};
     for (int f = 0; f < 2; f++) {
         for (const struct inputs_table *one = files[f]; one->name; one++) {
@@ -94,8 +95,12 @@ static void add_tables(struct example *example)
         }
     }
     add(example, "scenes[].painting", coefficient_keys);
-    exhibit_trees_keys(trees);
-    add(example, "scenes[].trees", trees);
+    for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
+        char place[EXAMPLE_PLACE];
+        snprintf(place, sizeof place, "scenes[].%s", scene_kind_names[kind]);
+        exhibit_options_keys((enum scene_kind)kind, options);
+        add(example, place, options);
+    }
     script_structure_keys(structure);
     structure[1 + key_count(structure_keys)].name = NULL; /* options of growth stand under trees */
     add(example, "scenes[].structures[]", structure);
@@ -261,6 +266,57 @@ static void write_comment(FILE *file, const struct key *key, int column)
     fputc('\n', file);
 }
 
+/* Whether a key is one of those of a kind of scene, which --write puts in by itself. */
+static bool is_option(const struct example_row *row)
+{
+    for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
+        char place[EXAMPLE_PLACE];
+        snprintf(place, sizeof place, "scenes[].%s", scene_kind_names[kind]);
+        if (strcmp(row->place, place) == 0 && row->key.type != KEY_TEXT) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* A key as it is by default. */
+static void write_default(FILE *file, const struct key *key, int column)
+{
+    if (key->type == KEY_FLAG) {
+        fprintf(file, "%*s#%s: %s\n", column, "", key->name, key->initial != 0 ? "true" : "false");
+    } else if (key->type == KEY_CHOICE) {
+        fprintf(file, "%*s#%s: %s\n", column, "", key->name, key->choices[(int)key->initial]);
+    } else {
+        fprintf(file, "%*s#%s: %.10g\n", column, "", key->name, key->initial);
+    }
+}
+
+/* Options that stand nowhere yet, where the last of their place stands, or its section. */
+static void write_missing(FILE *file, const struct example *example, int line)
+{
+    const char *gap = example->kinds[line].value && *example->kinds[line].value ? "\n" : "";
+    for (int i = 0; i < example->row_count; i++) {
+        const struct example_row *row = &example->rows[i];
+        int last = -1, column = 6;
+        for (int k = 0; k < example->row_count && row->line < 0 && is_option(row); k++) {
+            const struct example_row *other = &example->rows[k];
+            bool section = strncmp(row->place, other->place, strlen(other->place)) == 0 &&
+                           strcmp(row->place + strlen(other->place), ".") > 0 &&
+                           strcmp(row->place + strlen(other->place) + 1, other->key.name) == 0;
+            if ((section || strcmp(row->place, other->place) == 0) && other->line > last) {
+                last = other->line;
+                column = example->kinds[last].column + (section ? 2 : 0);
+            }
+        }
+        if (last == line) {
+            fputs(gap, file);
+            gap = "\n";
+            write_comment(file, &row->key, column);
+            write_default(file, &row->key, column);
+        }
+    }
+}
+
 void example_write(const struct example *example, const char *path)
 {
     FILE *file = fopen(path, "wb");
@@ -281,10 +337,14 @@ void example_write(const struct example *example, const char *path)
             }
             write_comment(file, &example->rows[row].key, column);
         }
-        if (!skip[i]) {
+        bool option = row >= 0 && example->kinds[i].commented && is_option(&example->rows[row]);
+        if (option) {
+            write_default(file, &example->rows[row].key, column);
+        } else if (!skip[i]) {
             fprintf(file, "%s\n", example->lines[i]);
-            before = example->lines[i];
         }
+        before = skip[i] ? before : example->lines[i];
+        write_missing(file, example, i);
     }
     fclose(file);
 }

@@ -7,7 +7,7 @@
 
 #include "key.h"
 
-enum { EXAMPLE_ROWS = 600, EXAMPLE_LINES = 4000, EXAMPLE_COMMENT = 1600, EXAMPLE_PLACE = 128 };
+enum { EXAMPLE_ROWS = 800, EXAMPLE_LINES = 4000, EXAMPLE_COMMENT = 1600, EXAMPLE_PLACE = 128 };
 
 /* A key, and where it stands: "inputs.bindings[].drop". */
 struct example_row {
@@ -37,7 +37,7 @@ void example_destroy(struct example *example);
 int example_comment_start(const struct example *example, int line);
 /* That comment as one text, its lines joined by spaces. */
 const char *example_comment(const struct example *example, int line, char *buffer, size_t size);
-/* The file again, with every comment as the tables have it. */
+/* The file again, with every comment as the tables have it, and options of scenes that it lacks. */
 void example_write(const struct example *example, const char *path);
 
 #endif

@@ -27,8 +27,9 @@ static bool post(void *context, const struct action *action, uint64_t event_us)
     told->visitor = action->visitor;
     told->ink = action->ink;
     told->picture = action->verb == ACTION_STOCK ? (int)action->picture.values[0] : 0;
-    told->growth = action->option;
-    told->value = action->verb == ACTION_TEND ? action->amount : action->value;
+    told->option = action->option;
+    bool amount = action->verb == ACTION_TEND || action->verb == ACTION_ATTRACT;
+    told->value = amount ? action->amount : action->value;
     told->has_at = action->has_at;
     told->at = action->path.count > 0 ? action->path.points[action->path.count - 1] : action->at;
     return !hall->act || hall->act(hall->context, action);

@@ -18,8 +18,8 @@ struct hall_told {
     int visitor, ink;
     struct point at;
     bool has_at;
-    int growth;  /* of ACTION_SHAPE */
-    float value; /* of it; of ACTION_TEND the amount */
+    int option;  /* of ACTION_SHAPE, ACTION_CONDUCT, ACTION_REACT */
+    float value; /* of it; of ACTION_TEND and ACTION_ATTRACT the amount */
     int picture; /* of ACTION_STOCK: hall.picture */
     bool on;     /* of HALL_POWER */
     uint64_t us;

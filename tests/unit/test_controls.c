@@ -197,7 +197,7 @@ static void dials_turn_coefficients_and_drops(void **state)
 static void a_button_is_a_hand_until_it_is_let_go(void **state)
 {
     (void)state;
-    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
+    const struct scene_options trees = scene_options_default(SCENE_TREES);
     struct place place = open_place("bindings: [{usage: Button 1, hold: {radius: 12}}, "
                                     "{usage: Dial, turn: {growth: metaphor}}]\n");
     control(&place, SOURCE_HID, 1, BUTTON_1, 1); /* in a painting there are no hands, and nothing is turned */
@@ -205,7 +205,7 @@ static void a_button_is_a_hand_until_it_is_let_go(void **state)
     steps(&place, SOURCE_HID, DIAL, 3);
     wait_ms(&place, 200);
     assert_false(take(&place));
-    controls_growth(place.controls, &ink);
+    controls_options(place.controls, &trees);
     control(&place, SOURCE_HID, 1, BUTTON_1, 1);
     assert_true(take(&place) && place.action.verb == ACTION_HOLD && place.action.has_at);
     assert_near(place.action.radius, 12, 0);

@@ -186,13 +186,13 @@ static void hear_actions(struct place *place, struct heard *heard)
         actions++;
         heard->dried += action->verb == ACTION_DRY;
         assert_true(action->path.count <= STROKE_POINTS);
-        if (action->verb == ACTION_HOLD) {
+        if (action->verb == ACTION_HOLD || (action->verb == ACTION_ATTRACT && action->path.count == 0)) {
             assert_in_range(visitor, 1, CONTROLS_HANDS + GESTURE_FINGERS - 1);
             heard->hands[visitor] = action->has_at;
             heard->holds++;
             continue;
         }
-        if (action->verb == ACTION_SHAPE) {
+        if (action->verb == ACTION_SHAPE || action->verb == ACTION_CONDUCT || action->verb == ACTION_REACT) {
             continue; /* nobody's, as ACTION_SET */
         }
         assert_true(visitor >= 0 && visitor < VISITORS && action->ink >= 0 && action->ink < INKS);
@@ -286,7 +286,6 @@ static void in_a_storm_devices_leave_and_visits_begin(void **state)
     struct place place;
     struct storm storm;
     struct heard heard = {.events = 0};
-    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
     open_storm(&place, &storm);
     for (int ms = 0; ms < STORM_MS; ms++) {
         blow(&storm);
@@ -304,8 +303,9 @@ static void in_a_storm_devices_leave_and_visits_begin(void **state)
         if (ms % 900 == 0) {
             controls_reset(place.controls);
         }
-        if (ms % 1300 == 0) { /* from one kind of scene to the other */
-            controls_growth(place.controls, ms % 2600 ? &ink : NULL);
+        if (ms % 1300 == 0) { /* from one kind of scene to another */
+            struct scene_options options = scene_options_default((enum scene_kind)(ms / 1300 % SCENE_KINDS));
+            controls_options(place.controls, options.kind ? &options : NULL);
         }
         if (ms % 16 == 0 || ms == STORM_MS - 1) {
             hear(&place, &storm, &heard);

@@ -37,13 +37,14 @@ static void assert_taken(struct place *place, enum action_verb verb, int visitor
 static void a_tap_does_what_the_tool_of_its_seat_does(void **state)
 {
     (void)state;
-    static const enum action_verb FIRST[TOOLS] = {ACTION_DROP,  ACTION_BRUSH_SOLVENT, ACTION_GUIDE,
-                                                  ACTION_POUR,  ACTION_MASK,          ACTION_REWIND,
-                                                  ACTION_PLANT, ACTION_TEND,          ACTION_TEND};
-    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
+    static const enum action_verb FIRST[TOOLS] = {ACTION_DROP, ACTION_BRUSH_SOLVENT, ACTION_GUIDE,  ACTION_POUR,
+                                                  ACTION_MASK, ACTION_REWIND,        ACTION_PLANT,  ACTION_TEND,
+                                                  ACTION_TEND, ACTION_STRIKE,        ACTION_STRIKE, ACTION_ATTRACT,
+                                                  ACTION_DOSE, ACTION_DOSE,          ACTION_DOSE};
     struct place place = open_seats(strchr(inputs_default_text(), '\n') + 1, SEATS, 2);
     for (int tool = 0; tool < TOOLS; tool++) {
-        controls_growth(place.controls, tool_fits(tool, SCENE_TREES) ? &ink : NULL);
+        struct scene_options options = scene_options_default(exhibit_tool_kinds[tool]);
+        controls_options(place.controls, &options);
         controls_set_tool(place.controls, 0, (enum exhibit_tool)tool);
         tap(&place, 0, 0.25f, 0.75f);
         assert_taken(&place, FIRST[tool], 1, tool == TOOL_DROP ? 0 : ANY);
@@ -51,13 +52,13 @@ static void a_tap_does_what_the_tool_of_its_seat_does(void **state)
         assert_near(at.x, 0.25, 1e-6);
         assert_near(at.y, 0.75, 1e-6);
         bool path = tool == TOOL_BRUSH || tool == TOOL_REWIND || tool == TOOL_TEND || tool == TOOL_THIN;
-        assert_int_equal(place.action.path.count, tool == TOOL_GUIDE ? 2 : path);
+        assert_int_equal(place.action.path.count, tool == TOOL_GUIDE || tool == TOOL_STROKE ? 2 : path);
         if (tool == TOOL_BRUSH) {
             assert_taken(&place, ACTION_BRUSH_INK, 1, 1); /* each tap takes the next ink, as fingers do */
         }
         assert_false(take(&place));
     }
-    controls_growth(place.controls, NULL);
+    controls_options(place.controls, NULL);
     controls_set_tool(place.controls, 1, TOOL_GUIDE);
     tap(&place, 0, 1, 1);
     assert_taken(&place, ACTION_GUIDE, 2, ANY);

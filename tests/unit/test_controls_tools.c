@@ -31,28 +31,42 @@ static const struct {
     {TOOL_PLANT, 1, 1, {ACTION_PLANT}, {ACTION_HOLD}},
     {TOOL_TEND, 1, 1, {ACTION_TEND}, {ACTION_TEND}},
     {TOOL_THIN, 1, 1, {ACTION_TEND}, {ACTION_TEND}},
+    {TOOL_STRIKE, 1, 1, {ACTION_STRIKE}, {ACTION_ATTRACT}},
+    {TOOL_REPEL, 1, 1, {ACTION_ATTRACT}, {ACTION_ATTRACT}},
+    {TOOL_STROKE, 0, 1, {0}, {ACTION_ATTRACT}},
+    {TOOL_DOSE, 1, 1, {ACTION_DOSE}, {ACTION_DOSE}},
+    {TOOL_ERASE, 1, 1, {ACTION_DOSE}, {ACTION_DOSE}},
+    {TOOL_MAP, 1, 1, {ACTION_DOSE}, {ACTION_DOSE}},
 };
+
+/* Whether what a tool does is a hand, which is lifted when the finger goes. */
+static bool is_hand(enum exhibit_tool tool, enum action_verb verb)
+{
+    return verb == ACTION_HOLD || (verb == ACTION_ATTRACT && tool != TOOL_STROKE);
+}
 
 static void assert_tools(struct place *place)
 {
-    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
     assert_int_equal(sizeof TOOLS_DO / sizeof *TOOLS_DO, TOOLS);
     for (size_t i = 0; i < TOOLS; i++) {
-        controls_growth(place->controls, tool_fits((int)TOOLS_DO[i].tool, SCENE_TREES) ? &ink : NULL);
+        struct scene_options options = scene_options_default(exhibit_tool_kinds[TOOLS_DO[i].tool]);
+        controls_options(place->controls, &options);
         controls_set_tool(place->controls, 0, TOOLS_DO[i].tool);
         assert_int_equal(controls_tool(place->controls, 0), TOOLS_DO[i].tool);
         finger(place, EVENT_DOWN, 0, 0.5f, 0.5f);
         for (int k = 0; k < TOOLS_DO[i].press; k++) {
-            assert_true(take(place) && place->action.visitor == 1);
+            bool hand = is_hand(TOOLS_DO[i].tool, TOOLS_DO[i].pressed[k]);
+            assert_true(take(place) && place->action.visitor == (hand ? CONTROLS_HANDS : 1));
             assert_int_equal(place->action.verb, TOOLS_DO[i].pressed[k]);
+            assert_true(place->action.invert == (TOOLS_DO[i].tool == TOOL_ERASE));
         }
         assert_false(take(place));
         controls_set_tool(place->controls, 0, TOOL_DROP); /* a finger goes on with what it has begun */
         finger(place, EVENT_MOVE, 0, 0.6f, 0.5f);
         finger(place, EVENT_MOVE, 0, 0.7f, 0.5f);
-        wait_ms(place, 10);
+        wait_ms(place, 80);
         for (int k = 0; k < TOOLS_DO[i].drag; k++) {
-            bool hand = TOOLS_DO[i].dragged[k] == ACTION_HOLD;
+            bool hand = is_hand(TOOLS_DO[i].tool, TOOLS_DO[i].dragged[k]);
             assert_true(take(place) && place->action.visitor == (hand ? CONTROLS_HANDS : 1));
             assert_int_equal(place->action.verb, TOOLS_DO[i].dragged[k]);
             bool along = place->action.verb != ACTION_POUR && !hand;
@@ -62,8 +76,10 @@ static void assert_tools(struct place *place)
         }
         assert_false(take(place));
         finger(place, EVENT_UP, 0, 0.7f, 0.5f);
-        if (TOOLS_DO[i].tool == TOOL_PLANT) { /* the hand is lifted */
-            assert_true(take(place) && place->action.verb == ACTION_HOLD && !place->action.has_at);
+        enum action_verb last = TOOLS_DO[i].dragged[0];
+        if (is_hand(TOOLS_DO[i].tool, last)) { /* it is lifted */
+            assert_true(take(place) && place->action.verb == last && !place->action.has_at);
+            assert_int_equal(place->action.path.count, 0);
         }
         assert_false(take(place));
     }

@@ -287,7 +287,8 @@ static void what_is_no_action_is_a_wish(void **state)
                  {"next_scene", WISH_NEXT_SCENE},
                  {"next_language", WISH_NEXT_LANGUAGE},
                  {"next_picture", WISH_NEXT_PICTURE},
-                 {"next_metaphor", WISH_NEXT_METAPHOR}};
+                 {"next_metaphor", WISH_NEXT_METAPHOR},
+                 {"next_kind", WISH_NEXT_KIND}};
     assert_int_equal(sizeof KINDS / sizeof *KINDS + 1, WISHES);
     for (size_t i = 0; i < sizeof KINDS / sizeof *KINDS; i++) {
         char text[400];

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "exhibit_case.h"
+#include "gray_scott_classes.h"
 #include "ink.h"
 #include "near.h"
 #include "script_sheet.h"
@@ -359,22 +360,58 @@ static void scenes_of_trees_grow_as_their_metaphor_does_and_as_is_given(void **s
     assert_int_equal(scenes[0].kind, SCENE_PAINTING);
     assert_int_equal(scenes[1].kind, SCENE_TREES);
     assert_null(scenes[1].picture);
-    assert_memory_equal(&scenes[1].growth, &ink, sizeof ink);
+    assert_memory_equal(&scenes[1].options.trees, &ink, sizeof ink);
     vine.light = true;
     vine.endpoints = 900;
     vine.gain = 1.25f;
     vine.metric = METRIC_CUMULATIVE;
-    assert_memory_equal(&scenes[2].growth, &vine, sizeof vine);
+    assert_memory_equal(&scenes[2].options.trees, &vine, sizeof vine);
     assert_string_equal(scenes[2].picture, "good.png");
     struct growth_def tree = growth_preset(METAPHOR_INK, true);
     tree.picture = 0.5f;
-    assert_memory_equal(&scenes[3].growth, &tree, sizeof tree);
+    assert_memory_equal(&scenes[3].options.trees, &tree, sizeof tree);
     exhibit_destroy(exhibit);
     exhibit = exhibit_case_good("exhibit: 1\nscenes: [{id: a, kind: trees, trees: {over: good.png}}]\n");
     exhibit_destroy(exhibit);
     exhibit = exhibit_case_good("exhibit: 1\npalette: {tools: [pour, thin]}\n");
     assert_true(exhibit->palette.tools[TOOL_PLANT] && exhibit->palette.tools[TOOL_THIN]);
     assert_false(exhibit->palette.tools[TOOL_TEND]);
+    exhibit_destroy(exhibit);
+}
+
+static void scenes_of_lightning_and_chemistry_have_what_is_given(void **state)
+{
+    (void)state;
+    struct exhibit *exhibit = exhibit_case_good(
+        "exhibit: 1\n"
+        "scenes:\n"
+        "  - {id: a, kind: lightning}\n"
+        "  - {id: b, kind: lightning, lightning: {eta: 4.5, seed: 2147483647, kind: coral}}\n"
+        "  - {id: c, kind: chemistry, chemistry: {feed: 0.031, preset: maze}, opening: [{dose: {at: [0.5, 0.25], "
+        "radius: 9}}, {style: {formula: \"x\"}}, {clear: {}}]}\n"
+        "  - {id: d, opening: [{drop: {at: [0.1, 0.2]}}], guide: good.png}\n"
+        "palette: {tools: [repel]}\n");
+    const struct exhibit_scene *scenes = exhibit->scenes;
+    struct storm_def coral = storm_preset(BOLT_CORAL), lightning = storm_preset(BOLT_LIGHTNING);
+    assert_int_equal(scenes[0].options.kind, SCENE_LIGHTNING);
+    assert_memory_equal(&scenes[0].options.lightning, &lightning, sizeof lightning);
+    coral.eta = 4.5f;
+    coral.seed = 2147483647; /* to the last digit */
+    assert_memory_equal(&scenes[1].options.lightning, &coral, sizeof coral);
+    const struct gray_scott_preset *maze = gray_scott_preset_find("maze");
+    assert_int_equal(scenes[2].options.chemistry.preset, (int)(maze - gray_scott_presets));
+    assert_near(scenes[2].options.chemistry.reaction.feed, 0.031, 1e-7); /* what is given, after what is brought */
+    assert_near(scenes[2].options.chemistry.reaction.kill, maze->kill, 1e-7);
+    assert_int_equal(scenes[2].ground_count, 3);
+    assert_true(scenes[2].ground[0].verb == ACTION_DOSE && scenes[2].ground[0].radius == 9);
+    assert_true(scenes[2].ground[1].verb == ACTION_STYLE && scenes[2].ground[1].formula.values);
+    assert_int_equal(scenes[3].ground_count, 2); /* the picture first */
+    assert_true(scenes[3].ground[0].verb == ACTION_GUIDE && scenes[3].ground[1].verb == ACTION_DROP);
+    for (int kind = 0; kind < SCENE_KINDS; kind++) {
+        assert_true(exhibit->palette.tools[tool_first(kind)]);
+    }
+    assert_true(exhibit->palette.tools[TOOL_REPEL]);
+    assert_false(exhibit->palette.tools[TOOL_STROKE] || exhibit->palette.tools[TOOL_MAP]);
     exhibit_destroy(exhibit);
 }
 
@@ -441,7 +478,7 @@ static void every_row_is_whole(void **state)
             assert_true(section || (key->type == KEY_CHOICE) == (key->choices != NULL));
         }
     }
-    assert_int_equal(tables, 15);
+    assert_int_equal(tables, 16);
 }
 
 static int make_folder(void **state)
@@ -473,6 +510,7 @@ int main(void)
         cmocka_unit_test(other_inputs_have_another_mark),
         cmocka_unit_test(a_text_tells_what_it_is),
         cmocka_unit_test(scenes_of_trees_grow_as_their_metaphor_does_and_as_is_given),
+        cmocka_unit_test(scenes_of_lightning_and_chemistry_have_what_is_given),
         cmocka_unit_test(a_file_is_read_where_it_lies),
         cmocka_unit_test(every_word_is_shipped),
         cmocka_unit_test(every_row_is_whole),

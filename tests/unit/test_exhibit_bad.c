@@ -17,7 +17,8 @@
     "exhibit, title, display, sheet, engine, languages, texts, palettes, scenes, pictures, sessions, palette, seats, " \
     "inputs, visit, access, schedule, wake, gallery, staff, mqtt"
 #define TEXT_KEYS                                                                                                      \
-    "invite, inks, drop, brush, guide, pour, mask, rewind, plant, tend, thin, picture, "                               \
+    "invite, inks, drop, brush, guide, pour, mask, rewind, plant, tend, thin, strike, "                                \
+    "repel, stroke, dose, erase, map, picture, "                                                                       \
     "metaphor, undo, redo, finish, hand, seated, language, countdown, "                                                \
     "stay, thanks, closed"
 #define TREES_KEYS                                                                                                     \
@@ -223,7 +224,8 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "scenes:\n"
            "  - {id: wood, kind: tree}\n"),
-     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees\n"},
+     "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees, lightning, "
+     "chemistry\n"},
     {"trees of a painting",
      BYTES("exhibit: 1\n"
            "scenes:\n"
@@ -244,7 +246,7 @@ static const struct script_case BAD[] = {
      "s.yaml:2:48: scenes[0].trees.over: 'text.png' is broken; a PNG, JPEG, TIFF, EXR or WebP picture\n"
      "s.yaml:2:91: scenes[1].trees.over: no picture to grow over; a path, or pictures: FOLDER in this file's folder, "
      "with one in it\n"
-     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, endpoints: 3000, ...}; see frond explain trees\n"},
+     "s.yaml:2:91: scenes[1].trees: '3'; {metaphor: ink, ...}; see frond explain trees\n"},
     {"how trees grow",
      BYTES("exhibit: 1\n"
            "pictures: fine\n"
@@ -259,6 +261,40 @@ static const struct script_case BAD[] = {
      "s.yaml:6:63: scenes[0].trees.branch: 65 is out of range; 0 to 64 pixels\n"
      "s.yaml:6:74: scenes[0].trees.light: 'maybe' is neither; true or false\n"
      "s.yaml:6:81: scenes[0].trees.plant: unknown key; " TREES_KEYS "\n"},
+    {"options of another kind",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: a, kind: chemistry, lightning: {eta: 3}}\n"
+           "  - {id: b, kind: lightning, chemistry: {feed: 0.03}}\n"
+           "  - {id: c, lightning: {eta: 3}}\n"
+           "  - {id: d, kind: lightning, lightning: storm}\n"
+           "  - {id: e, kind: chemistry, structures: [{over: good.png}]}\n"),
+     "s.yaml:3:41: scenes[0].lightning: in a scene of chemistry; kind: lightning, or no lightning\n"
+     "s.yaml:4:41: scenes[1].chemistry: in a scene of lightning; kind: chemistry, or no chemistry\n"
+     "s.yaml:5:24: scenes[2].lightning: in a scene of paintings; kind: lightning, or no lightning\n"
+     "s.yaml:6:41: scenes[3].lightning: 'storm'; {kind: lightning, ...}; see frond explain lightning\n"
+     "s.yaml:7:42: scenes[4].structures: in a scene of chemistry; chemistry, or kind: painting\n"},
+    {"how lightning grows",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: a, kind: lightning, lightning: {kind: corall, eta: 21}}\n"),
+     "s.yaml:3:48: scenes[0].lightning.kind: unknown choice 'corall'; did you mean coral? One of lightning, tesla, "
+     "tree, lichen, coral, river, snow, fracture, vessels, city, lichtenberg, frost\n"
+     "s.yaml:3:61: scenes[0].lightning.eta: 21 is out of range; 0 to 20\n"},
+    {"how chemicals react",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: a, kind: chemistry, chemistry: {feed: 0.2, kill: much}}\n"),
+     "s.yaml:3:48: scenes[0].chemistry.feed: 0.2 is out of range; 0 to 0.15 per unit of time\n"
+     "s.yaml:3:59: scenes[0].chemistry.kill: 'much' is not a decimal number; 0 to 0.1 per unit of time\n"},
+    {"an opening",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - id: a\n"
+           "    kind: chemistry\n"
+           "    opening: [{strike: {}}, {tick: 3, dose: {}}, {undo: {}}, {dose: {radius: 0}}, dose]\n"
+           "  - {id: b, opening: {drop: {}}}\n"),
+     "s.yaml:5:15: scenes[0].opening[0].strike: does nothing to a fresh sheet of a scene of chemistry; another verb\n"},
     {"a palette of nobody",
      BYTES("exhibit: 1\n"
            "scenes:\n"
@@ -339,7 +375,7 @@ static const struct script_case BAD[] = {
      BYTES("exhibit: 1\n"
            "palette: {tools: [brush, rewnd]}\n"),
      "s.yaml:2:26: palette.tools[1]: unknown tool 'rewnd'; did you mean rewind? One of drop, brush, guide, pour, mask, "
-     "rewind, plant, tend, thin\n"},
+     "rewind, plant, tend, thin, strike, repel, stroke, dose, erase, map\n"},
     {"small buttons",
      BYTES("exhibit: 1\n"
            "palette: {target: 10}\n"),

@@ -1,7 +1,7 @@
 /* The self-documenting exhibit: every key of every table stands in it, under the very words of `frond explain`.
  *
- * After a change of a table: test_exhibit_example --write, which puts the comments right; keys that are missing are
- * named by the test, and are put in by hand. */
+ * After a change of a table: test_exhibit_example --write, which puts the comments right, and options of scenes in;
+ * other keys that are missing are named by the test, and are put in by hand. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -136,8 +136,8 @@ static void shipped_words_are_shown(void **state)
 static bool is_only_an_example(const struct example_row *row)
 {
     static const char *const NAMES[][2] = {{"scenes[]", "inks"},
-                                           {"scenes[]", "trees"},
                                            {"scenes[]", "structures"},
+                                           {"scenes[]", "inputs"},
                                            {"", "sessions"},
                                            {"inputs.controllers[].lamps[]", "usage"},
                                            {"inputs.bindings[].rinse", "at"}};
@@ -146,8 +146,14 @@ static bool is_only_an_example(const struct example_row *row)
     for (size_t i = 0; i < sizeof NAMES / sizeof *NAMES; i++) {
         named = named || (strcmp(row->place, NAMES[i][0]) == 0 && strcmp(key->name, NAMES[i][1]) == 0);
     }
-    return named || strncmp(row->place, "scenes[].trees", 14) == 0 ||
-           strncmp(row->place, "scenes[].structures", 19) == 0 || key->type == KEY_INK || key->type == KEY_PICTURE ||
+    for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) { /* its one scene is a painting */
+        char place[EXAMPLE_PLACE];
+        snprintf(place, sizeof place, "scenes[].%s", scene_kind_names[kind]);
+        named = named || strcmp(row->place, place) == 0 ||
+                (strcmp(row->place, "scenes[]") == 0 && strcmp(key->name, scene_kind_names[kind]) == 0);
+    }
+    return named || strncmp(row->place, "scenes[].structures", 19) == 0 ||
+           strncmp(row->place, "scenes[].inputs", 15) == 0 || key->type == KEY_INK || key->type == KEY_PICTURE ||
            key->type == KEY_RASTER || (key->type == KEY_TEXT && strncmp(key->unit, "the path", 8) == 0);
 }
 
@@ -180,19 +186,20 @@ static void it_is_right_without_its_marks(void **state)
     free(text);
 }
 
-/* The keys of trees, in a scene of trees. */
-static void its_trees_are_right_without_their_marks(void **state)
+/* The keys of a kind of scene, in a scene of that kind, say what is so without them. */
+static void check_options(const struct example *example, enum scene_kind kind)
 {
-    const struct example *example = *state;
     struct report report;
-    char *text = NULL;
+    char *text = NULL, place[EXAMPLE_PLACE];
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
     assert_non_null(out);
-    fputs("exhibit: 1\nscenes:\n  - id: a\n    kind: trees\n    trees:\n", out);
+    snprintf(place, sizeof place, "scenes[].%s", scene_kind_names[kind]);
+    fprintf(out, "exhibit: 1\nscenes:\n  - id: a\n    kind: %s\n    %s:\n", scene_kind_names[kind],
+            scene_kind_names[kind]);
     for (int i = 0; i < example->line_count; i++) {
         const struct example_line *line = &example->kinds[i];
-        if (line->row >= 0 && strcmp(example->rows[line->row].place, "scenes[].trees") == 0) {
+        if (line->row >= 0 && strcmp(example->rows[line->row].place, place) == 0) {
             bool over = example->rows[line->row].key.type == KEY_TEXT;
             fprintf(out, "      %s\n", over ? "over: good.png" : example->lines[i] + line->column + line->commented);
         }
@@ -204,12 +211,21 @@ static void its_trees_are_right_without_their_marks(void **state)
     report_print(&report, stderr);
     assert_non_null(exhibit);
     struct growth_def ink = growth_preset(METAPHOR_INK, false);
-    assert_memory_equal(&exhibit->scenes[0].growth, &ink, sizeof ink);
-    assert_string_equal(exhibit->scenes[0].picture, "good.png");
+    if (kind == SCENE_TREES) {
+        assert_memory_equal(&exhibit->scenes[0].options.trees, &ink, sizeof ink);
+        assert_string_equal(exhibit->scenes[0].picture, "good.png");
+    }
     exhibit_destroy(exhibit);
     exhibit_case_remove();
     report_finish(&report);
     free(text);
+}
+
+static void its_scenes_are_right_without_their_marks(void **state)
+{
+    for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
+        check_options(*state, (enum scene_kind)kind);
+    }
 }
 
 static int read_example(void **state)
@@ -229,7 +245,7 @@ int main(int argc, char *argv[])
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_key_stands_in_it),        cmocka_unit_test(every_comment_is_that_of_its_table),
         cmocka_unit_test(explain_says_the_same),         cmocka_unit_test(what_is_commented_out_is_the_default),
-        cmocka_unit_test(shipped_words_are_shown),       cmocka_unit_test(its_trees_are_right_without_their_marks),
+        cmocka_unit_test(shipped_words_are_shown),       cmocka_unit_test(its_scenes_are_right_without_their_marks),
         cmocka_unit_test(it_is_right_without_its_marks),
     };
     if (argc == 2 && strcmp(argv[1], "--write") == 0) {

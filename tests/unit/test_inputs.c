@@ -56,7 +56,7 @@ static const struct script_case BAD[] = {
      "s.yaml:3:5: bindings[0]: no source is given; one of touch, usage, button, encoder, key\n"},
     {"no action", BYTES("inputs: 1\nbindings:\n  - {touch: tap}\n"),
      "s.yaml:3:5: bindings[0]: no action is given; one of " VERBS ", next_ink, finish, staff, next_tool, next_scene, "
-     "next_language, next_picture, next_metaphor, switch, cursor, turn, dial\n"},
+     "next_language, next_picture, next_metaphor, next_kind, switch, cursor, turn, dial\n"},
     {"two sources", BYTES("inputs: 1\nbindings:\n  - {touch: tap, usage: X, drop: {}}\n"),
      "s.yaml:3:25: bindings[0].usage: a second source, after touch; a binding has one\n"},
     {"two actions", BYTES("inputs: 1\nbindings:\n  - {touch: tap, drop: {}, clear: {}}\n"),
@@ -93,11 +93,22 @@ static const struct script_case BAD[] = {
     {"turn without an end", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {coefficient: s_max, from: 0}}\n"),
      "s.yaml:3:22: bindings[0].turn.to: missing; 0 to 1.5 density per cell\n"},
     {"turn of nothing", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {from: 0, to: 1}}\n"),
-     "s.yaml:3:22: bindings[0].turn.coefficient: missing; the name of a coefficient, or growth: an option of frond "
-     "grow\n"},
+     "s.yaml:3:22: bindings[0].turn.coefficient: missing; the name of a coefficient, or of an option: growth, "
+     "lightning or chemistry\n"},
     {"turn of two things",
      BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {coefficient: s_max, growth: gain, from: 0, to: 1}}\n"),
      "s.yaml:3:51: bindings[0].turn.growth: a coefficient is given too; one of the two\n"},
+    {"turn of two scenes",
+     BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {chemistry: feed, lightning: eta, from: 0, to: 0.1}}\n"),
+     "s.yaml:3:34: bindings[0].turn.chemistry: an option: lightning is given too; one of the two\n"},
+    {"turn of lightning too far",
+     BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {lightning: eta, from: 0, to: 50}}\n"),
+     "s.yaml:3:52: bindings[0].turn.to: 50 is out of range; 0 to 20\n"},
+    {"turn without the end of a rate",
+     BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {chemistry: feed, from: 0.01}}\n"),
+     "s.yaml:3:22: bindings[0].turn.to: missing; 0 to 0.15 per unit of time\n"},
+    {"along what has no path", BYTES("inputs: 1\nbindings:\n  - {touch: drag, where: along, strike: {}}\n"),
+     "s.yaml:3:26: bindings[0].where: the action has no path; there or sheet\n"},
     {"turn of growth", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: gian, from: 0, to: 1}}\n"),
      "s.yaml:3:31: bindings[0].turn.growth: unknown option 'gian'; " GROWTHS "\n"},
     {"turn of growth too far", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: gain, from: 0, to: 17}}\n"),
@@ -118,7 +129,7 @@ static const struct script_case BAD[] = {
      "s.yaml:3:31: bindings[0].draw.path: a path of 9 points; at most 8 in a binding\n"},
     {"a tool", BYTES("inputs: 1\nbindings:\n  - {touch: tap, tool: musk, drop: {}}\n"),
      "s.yaml:3:24: bindings[0].tool: unknown choice 'musk'; did you mean mask? One of drop, brush, guide, pour, mask, "
-     "rewind, plant, tend, thin\n"},
+     "rewind, plant, tend, thin, strike, repel, stroke, dose, erase, map\n"},
     {"a tool of no finger", BYTES("inputs: 1\nbindings:\n  - {usage: Button 1, tool: brush, drop: {}}\n"),
      "s.yaml:3:29: bindings[0].tool: goes with touch, not with usage; fingers have tools\n"},
     {"a tool of a key without its keyboard", BYTES("inputs: 1\nbindings:\n  - {key: F9, tool: brush, finish: {}}\n"),
@@ -126,7 +137,7 @@ static const struct script_case BAD[] = {
      "s.yaml:3:21: bindings[0].tool: goes with touch, not with key; fingers have tools\n"},
     {"a tool that is a list", BYTES("inputs: 1\nbindings:\n  - {touch: tap, tool: [brush, guide], drop: {}}\n"),
      "s.yaml:3:24: bindings[0].tool: a list where a name should be; one of drop, brush, guide, pour, mask, rewind, "
-     "plant, tend, thin\n"},
+     "plant, tend, thin, strike, repel, stroke, dose, erase, map\n"},
     {"a switch that is dragged", BYTES("inputs: 1\nbindings:\n  - {touch: drag, switch: {}}\n"),
      "s.yaml:3:27: bindings[0].switch: goes down and comes up; touch: press, a usage, a button or a key\n"},
     {"a switch that is tapped", BYTES("inputs: 1\nbindings:\n  - {touch: tap, switch: {}}\n"),
@@ -271,18 +282,18 @@ static void tools_without_a_binding_have_the_default_ones(void **state)
     }
     for (int i = 2; i < inputs->binding_count; i++) {
         const struct binding *binding = &inputs->bindings[i];
-        assert_true(binding->source == BINDING_TOUCH || (binding->what == DO_TURN && binding->growth >= 0));
+        assert_true(binding->source == BINDING_TOUCH || (binding->what == DO_TURN && binding->option >= 0));
         assert_false(binding->has_length);
     }
     inputs_destroy(inputs);
     inputs_destroy(whole);
 }
 
-static int count_dials(const struct inputs *inputs)
+static int count_dials(const struct inputs *inputs, enum scene_kind kind)
 {
     int count = 0;
     for (int i = 0; i < inputs->binding_count; i++) {
-        count += inputs->bindings[i].what == DO_TURN && inputs->bindings[i].growth >= 0;
+        count += inputs->bindings[i].what == DO_TURN && inputs->bindings[i].scene == (int)kind;
     }
     return count;
 }
@@ -292,8 +303,11 @@ static void growth_is_turned_by_the_default_dials_or_by_those_of_a_file(void **s
     (void)state;
     struct inputs *inputs =
         parse("inputs: 1\nbindings: [{usage: Dial, turn: {coefficient: k, from: 1, to: 2}}]\n", NULL);
-    assert_int_equal(count_dials(inputs), 3);
-    assert_true(inputs->bindings[0].growth == -1);
+    assert_int_equal(count_dials(inputs, SCENE_PAINTING), 1);
+    for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
+        assert_int_equal(count_dials(inputs, (enum scene_kind)kind), 3);
+    }
+    assert_true(inputs->bindings[0].option == -1);
     inputs_destroy(inputs);
     inputs = parse("inputs: 1\n"
                    "bindings:\n"
@@ -302,9 +316,10 @@ static void growth_is_turned_by_the_default_dials_or_by_those_of_a_file(void **s
                    "  - {usage: Wheel, turn: {growth: metric, from: 3, to: 1, steps: 8}}\n"
                    "  - {usage: Wheel, turn: {growth: light}}\n",
                    NULL);
-    assert_int_equal(count_dials(inputs), 4);
+    assert_int_equal(count_dials(inputs, SCENE_TREES), 4);
+    assert_int_equal(count_dials(inputs, SCENE_CHEMISTRY), 3);
     const struct binding *bindings = inputs->bindings;
-    assert_string_equal(growth_keys[bindings[0].growth].name, "gain");
+    assert_string_equal(growth_keys[bindings[0].option].name, "gain");
     assert_true(bindings[0].coefficient == -1 && bindings[0].axis.steps == 24);
     assert_true(bindings[1].axis.from == 0 && bindings[1].axis.to == METAPHORS - 1); /* a detent each */
     assert_true(bindings[1].axis.steps == METAPHORS - 1 && bindings[1].axis.smooth_ms == 0);

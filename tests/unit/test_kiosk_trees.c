@@ -79,7 +79,7 @@ static float shaped(const struct hall *hall, int from, const char *name)
     int last = -1;
     for (int i = from; i < hall->count; i++) {
         const struct hall_told *told = &hall->told[i];
-        last = told->what == HALL_POST && told->verb == ACTION_SHAPE && told->growth == key_of(name) ? i : last;
+        last = told->what == HALL_POST && told->verb == ACTION_SHAPE && told->option == key_of(name) ? i : last;
     }
     assert_true(last >= 0);
     return hall->told[last].value;
@@ -99,7 +99,7 @@ static void a_first_touch_plants_on_the_picture_that_is_seen(void **state)
     assert_int_equal(hall->told[before + 1].verb, ACTION_STOCK);
     assert_int_equal(hall->told[before + 1].picture, seen);
     assert_int_equal(hall->told[before + 2].verb, ACTION_SHAPE); /* the metaphor first: it brings its own values */
-    assert_int_equal(hall->told[before + 2].growth, key_of("metaphor"));
+    assert_int_equal(hall->told[before + 2].option, key_of("metaphor"));
     assert_float_equal(hall->told[before + 2].value, METAPHOR_VINE, 0);
     assert_float_equal(shaped(hall, before, "endpoints"), 2000, 0);
     const struct hall_told *last = &hall->told[hall->count - 1];

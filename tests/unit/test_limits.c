@@ -90,7 +90,7 @@ static void no_32_bit_texture_is_linear(void **state)
     for (int format = 0; format < TEXTURE_FORMATS; format++) {
         for (int layers = 0; layers < 3; layers++) {
             GLenum target = layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
-            struct texture_def def = {(enum texture_format)format, TEXTURE_LINEAR, 8, 4, layers};
+            struct texture_def def = {(enum texture_format)format, TEXTURE_LINEAR, 8, 4, layers, false};
             GLint size = 0, type = 0;
             GLuint linear = texture_create(&def);
             def.filter = TEXTURE_NEAREST;
@@ -118,7 +118,7 @@ static void a_texture_begins_as_zeros_and_takes_texels(void **state)
 {
     (void)state;
     enum { WIDTH = 700, HEIGHT = 190 }; /* more than is cleared at once */
-    const struct texture_def def = {TEXTURE_RGBA8, TEXTURE_LINEAR, WIDTH, HEIGHT, 0};
+    const struct texture_def def = {TEXTURE_RGBA8, TEXTURE_LINEAR, WIDTH, HEIGHT, 0, false};
     static const uint8_t texels[2][1][4] = {{{1, 2, 3, 4}}, {{5, 6, 7, 8}}};
     uint8_t *read = calloc(WIDTH * HEIGHT, 4);
     GLuint framebuffer = 0, texture = texture_create(&def);
@@ -144,9 +144,9 @@ static void a_size_beyond_the_gpu_is_refused(void **state)
 {
     (void)state;
     static const struct texture_def defs[] = {
-        {TEXTURE_RGBA8, TEXTURE_NEAREST, 0, 4, 0},       {TEXTURE_RGBA8, TEXTURE_NEAREST, 4, -1, 0},
-        {TEXTURE_RGBA8, TEXTURE_NEAREST, 1 << 20, 4, 0}, {TEXTURE_RGBA8, TEXTURE_NEAREST, 4, 4, 1 << 20},
-        {TEXTURE_RGBA8, TEXTURE_NEAREST, 4, 4, -1},
+        {TEXTURE_RGBA8, TEXTURE_NEAREST, 0, 4, 0, false},       {TEXTURE_RGBA8, TEXTURE_NEAREST, 4, -1, 0, false},
+        {TEXTURE_RGBA8, TEXTURE_NEAREST, 1 << 20, 4, 0, false}, {TEXTURE_RGBA8, TEXTURE_NEAREST, 4, 4, 1 << 20, false},
+        {TEXTURE_RGBA8, TEXTURE_NEAREST, 4, 4, -1, false},
     };
     for (size_t i = 0; i < sizeof defs / sizeof defs[0]; i++) {
         assert_int_equal(texture_create(&defs[i]), 0);

@@ -110,9 +110,9 @@ static void close_place(struct place *place)
     display_destroy(place->display);
 }
 
-static struct live_garden_sheet sheet_of(const struct place *place)
+static struct live_scene_sheet sheet_of(const struct place *place)
 {
-    return live_garden_sheet(place->live.garden, bench_wall_s());
+    return live_scene_sheet(place->live.scene, bench_wall_s());
 }
 
 /* Turns of the loop for some seconds. */
@@ -132,8 +132,8 @@ static bool settle(struct place *place)
     double end_s = bench_wall_s() + PATIENCE_S;
     bool calm = false;
     while (!calm && bench_wall_s() < end_s && live_turn(&place->live)) {
-        const struct live_plate *plate = &place->live.plate;
-        calm = live_garden_is_calm(place->live.garden) && plate->shown && !live_plate_moves(plate);
+        const struct live_plate *plate = &place->live.scene_draw.plate;
+        calm = live_scene_is_calm(place->live.scene) && plate->shown && !live_scene_draw_moves(&place->live.scene_draw);
     }
     return calm;
 }
@@ -148,7 +148,7 @@ static bool touch(struct place *place, float x, float y)
 
 static uint64_t mark_of(const struct place *place)
 {
-    const struct plate *plate = &place->live.plate.newest->plate;
+    const struct plate *plate = &place->live.scene_draw.plate.newest->plate;
     uint64_t mark = 14695981039346656037u; /* FNV-1a */
     for (size_t i = 0; i < (size_t)plate->width * (size_t)plate->height * 4; i++) {
         mark = (mark ^ plate->rgba[i]) * 1099511628211u;
@@ -214,7 +214,7 @@ static void the_plate_is_in_the_picture(struct place *place)
     assert_non_null(rgb);
     assert_true(width == WIDTH && height == HEIGHT);
     int before = dark_of(rgb);
-    live_plate_reveal(&place->live.plate, rgb, width, height);
+    live_scene_draw_reveal(&place->live.scene_draw, rgb, width, height);
     assert_true(dark_of(rgb) > before + SOME);
     free(rgb);
 }
@@ -240,8 +240,8 @@ static void a_visit_that_is_killed_goes_on(void **state)
     assert_true(open_place(&place));
     assert_string_equal(kiosk_state(place.live.kiosk.kiosk), "painting");
     assert_true(settle(&place));
-    struct live_garden_sheet sheet = sheet_of(&place);
-    assert_true(sheet.on && sheet.can_undo != 0);
+    struct live_scene_sheet sheet = sheet_of(&place);
+    assert_true(sheet.kind == SCENE_TREES && sheet.can_undo != 0);
     assert_true(mark_of(&place) == mark);
     assert_true(dark_on_the_display(&place) > SOME);
     the_plate_is_in_the_picture(&place);

@@ -96,8 +96,8 @@ static struct bench open_bench(int width, int height, int rotation, bool flipped
     bench.panel_height = rotation % 180 ? width : height;
     bench.want = allocate((size_t)width * (size_t)height * 3);
     bench.have = allocate((size_t)width * (size_t)height * 3);
-    bench.panel =
-        texture_create(&(struct texture_def){TEXTURE_RGBA8, TEXTURE_NEAREST, bench.panel_width, bench.panel_height, 0});
+    bench.panel = texture_create(
+        &(struct texture_def){TEXTURE_RGBA8, TEXTURE_NEAREST, bench.panel_width, bench.panel_height, 0, false});
     glGenFramebuffers(1, &bench.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, bench.framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, bench.panel, 0);

@@ -1,4 +1,4 @@
-/* A garden beside the studio: told as the studio tells, looked at as the display looks. */
+/* A scene beside the studio: told as the studio tells, looked at as the display looks. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,8 +13,9 @@
 #include <time.h>
 
 #include "bench.h"
+#include "garden.h"
 #include "journal.h"
-#include "live_garden.h"
+#include "live_scene.h"
 
 #if defined(SANITIZED) /* a plan there takes as long as the whole drag */
 enum { LEAST_PLANS = 1 };
@@ -24,7 +25,7 @@ enum { LEAST_PLANS = 2 };
 enum { CELLS_X = 96, CELLS_Y = 60, WIDTH = 96, HEIGHT = 60, SIDE = 48, PATIENCE_S = 30, VISITOR = 3 };
 
 struct place {
-    struct live_garden *garden;
+    struct live_scene *live;
     struct script trees, plain; /* scenes; nothing of them is read but the size */
     int64_t ticked;
     float picture[SIDE * SIDE];
@@ -43,7 +44,7 @@ static void tell(struct place *place, enum studio_event_kind kind, const struct 
                                  .script = script,
                                  .def = {.width = CELLS_X, .height = CELLS_Y},
                                  .action = action};
-    live_garden_tell(place->garden, &event);
+    live_scene_tell(place->live, &event);
 }
 
 static void act(struct place *place, const struct action *action)
@@ -88,32 +89,32 @@ static void open_place(struct place *place)
         int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2, square = x * x + y * y;
         place->picture[i] = square > 100 && square < 400 ? 0.1f : 0.9f;
     }
-    place->garden = live_garden_create();
-    assert_non_null(place->garden);
-    live_garden_scene(place->garden, &place->trees, true);
-    live_garden_scene(place->garden, &place->plain, false);
+    place->live = live_scene_create(scene_types);
+    assert_non_null(place->live);
+    live_scene_scene(place->live, &place->trees, SCENE_TREES, "trees");
+    live_scene_scene(place->live, &place->plain, SCENE_PAINTING, "plain");
 }
 
 static void close_place(struct place *place)
 {
-    live_garden_destroy(place->garden);
+    live_scene_destroy(place->live);
 }
 
-static struct live_garden_sheet sheet_of(const struct place *place)
+static struct live_scene_sheet sheet_of(const struct place *place)
 {
-    return live_garden_sheet(place->garden, bench_wall_s());
+    return live_scene_sheet(place->live, bench_wall_s());
 }
 
 /* Until a plate is there in which all that was told is planned; the newest. */
-static const struct live_garden_plate *settle(struct place *place)
+static const struct live_view *settle(struct place *place)
 {
     double end_s = bench_wall_s() + PATIENCE_S;
-    while (!live_garden_is_calm(place->garden)) {
+    while (!live_scene_is_calm(place->live)) {
         assert_true(bench_wall_s() < end_s);
         nap(2);
     }
     bool fresh;
-    return live_garden_newest(place->garden, &fresh);
+    return live_scene_newest(place->live, sheet_of(place).number, &fresh);
 }
 
 static uint64_t mark_of(const struct plate *plate)
@@ -170,14 +171,14 @@ static void as_the_garden_without_a_thread(void **state)
     open_place(&place);
     uint64_t want = mark_without(&place);
     plant_two(&place);
-    live_garden_size(place.garden, WIDTH, HEIGHT);
-    const struct live_garden_plate *plate = settle(&place);
+    live_scene_size(place.live, WIDTH, HEIGHT);
+    const struct live_view *plate = settle(&place);
     assert_true(plate->any && plate->plate.width == WIDTH && plate->plate.height == HEIGHT);
     assert_true(mark_of(&plate->plate) == want);
     assert_int_equal(plate->sheet, sheet_of(&place).number);
     assert_in_range(plate->last_tick, 100 + 100, 100 + 3 + 240 + PLATE_SOFT + 1);
     assert_int_equal(sheet_of(&place).plans, 1);
-    assert_true(sheet_of(&place).on && sheet_of(&place).can_undo == UINT64_C(1) << VISITOR);
+    assert_true(sheet_of(&place).kind == SCENE_TREES && sheet_of(&place).can_undo == UINT64_C(1) << VISITOR);
     close_place(&place);
 }
 
@@ -188,8 +189,8 @@ static void what_is_shown_stays_as_it_is(void **state)
     bool fresh;
     open_place(&place);
     plant_two(&place);
-    live_garden_size(place.garden, WIDTH, HEIGHT);
-    const struct live_garden_plate *shown = settle(&place);
+    live_scene_size(place.live, WIDTH, HEIGHT);
+    const struct live_view *shown = settle(&place);
     uint64_t mark = mark_of(&shown->plate);
     for (int i = 0; i < 4; i++) {
         struct action plant = plant_at(0.1f + 0.2f * (float)i, 0.5f);
@@ -200,12 +201,12 @@ static void what_is_shown_stays_as_it_is(void **state)
             nap(1);
         }
     }
-    assert_true(live_garden_has_newer(place.garden));
+    assert_true(live_scene_has_newer(place.live));
     assert_true(mark_of(&shown->plate) == mark);
-    const struct live_garden_plate *newest = live_garden_newest(place.garden, &fresh);
+    const struct live_view *newest = live_scene_newest(place.live, sheet_of(&place).number, &fresh);
     assert_true(fresh && newest != shown && mark_of(&newest->plate) != mark && newest->sequence > shown->sequence);
-    assert_false(live_garden_has_newer(place.garden));
-    assert_ptr_equal(live_garden_newest(place.garden, &fresh), newest);
+    assert_false(live_scene_has_newer(place.live));
+    assert_ptr_equal(live_scene_newest(place.live, sheet_of(&place).number, &fresh), newest);
     assert_false(fresh);
     close_place(&place);
 }
@@ -217,7 +218,7 @@ static void dragging_plans_six_times_a_second(void **state)
     struct action tend = action_default(ACTION_TEND);
     open_place(&place);
     plant_two(&place);
-    live_garden_size(place.garden, WIDTH, HEIGHT);
+    live_scene_size(place.live, WIDTH, HEIGHT);
     settle(&place);
     int plans = sheet_of(&place).plans;
     double began_s = bench_wall_s();
@@ -241,11 +242,11 @@ static void undo_and_redo(void **state)
     struct action undo = action_default(ACTION_UNDO), redo = action_default(ACTION_REDO);
     open_place(&place);
     plant_two(&place);
-    live_garden_size(place.garden, WIDTH, HEIGHT);
+    live_scene_size(place.live, WIDTH, HEIGHT);
     undo.visitor = redo.visitor = VISITOR;
     act(&place, &undo);
     act(&place, &undo);
-    const struct live_garden_plate *plate = settle(&place);
+    const struct live_view *plate = settle(&place);
     assert_false(plate->any);
     assert_int_equal(sheet_of(&place).can_undo, 0);
     assert_int_equal(sheet_of(&place).can_redo, 1 << VISITOR);
@@ -262,17 +263,17 @@ static void sheets_and_scenes(void **state)
     struct place place;
     struct action plant = plant_at(0.5f, 0.5f);
     open_place(&place);
-    live_garden_size(place.garden, WIDTH, HEIGHT);
+    live_scene_size(place.live, WIDTH, HEIGHT);
     tell(&place, STUDIO_SHEET, &place.plain, NULL);
     act(&place, &plant);
-    assert_false(sheet_of(&place).on);
+    assert_true(sheet_of(&place).kind == SCENE_PAINTING);
     assert_int_equal(sheet_of(&place).number, 0);
-    assert_true(live_garden_is_calm(place.garden)); /* nothing was taken */
+    assert_true(live_scene_is_calm(place.live)); /* nothing was taken */
 
     tell(&place, STUDIO_SCENE, &place.trees, NULL);
-    assert_true(sheet_of(&place).on);
+    assert_true(sheet_of(&place).kind == SCENE_TREES);
     plant_two(&place);
-    const struct live_garden_plate *plate = settle(&place);
+    const struct live_view *plate = settle(&place);
     uint64_t mark = mark_of(&plate->plate);
     int number = sheet_of(&place).number;
     assert_true(plate->any);
@@ -290,7 +291,7 @@ static void sheets_and_scenes(void **state)
     place.ticked = 100;
     tell(&place, STUDIO_SCENE, &place.plain, NULL); /* and a painting again */
     plate = settle(&place);
-    assert_true(!plate->any && !sheet_of(&place).on && mark);
+    assert_true(!plate->any && sheet_of(&place).kind == SCENE_PAINTING && mark);
     close_place(&place);
 }
 
@@ -312,7 +313,7 @@ static void water_runs_without_a_plan(void **state)
     uint8_t water[LIVE_WATER_WIDTH * LIVE_WATER_HEIGHT];
     open_place(&place);
     plant_two(&place);
-    live_garden_size(place.garden, WIDTH, HEIGHT);
+    live_scene_size(place.live, WIDTH, HEIGHT);
     settle(&place);
     int plans = sheet_of(&place).plans;
     for (int i = 0; i < 40; i++) { /* to the middle */
@@ -321,12 +322,12 @@ static void water_runs_without_a_plan(void **state)
         tick(&place);
         nap(5);
     }
-    live_garden_water(place.garden, water);
+    live_scene_water(place.live, water);
     assert_true(sheet_of(&place).rinsed);
     assert_int_equal(sheet_of(&place).plans, plans);
     assert_int_equal(water[LIVE_WATER_WIDTH / 2], 255);                                            /* the top is gone */
     assert_int_equal(water[LIVE_WATER_WIDTH * (LIVE_WATER_HEIGHT - 1) + LIVE_WATER_WIDTH / 2], 0); /* the rest is dry */
-    const struct live_garden_plate *plate = settle(&place); /* it has passed: planned once, with what it took */
+    const struct live_view *plate = settle(&place); /* it has passed: planned once, with what it took */
     assert_int_equal(sheet_of(&place).plans, plans + 1);
     assert_true(plate->any && !sheet_of(&place).rinsed && plate->sequence >= sheet_of(&place).rinse);
     size_t top = 0, bottom = 0;
@@ -375,29 +376,31 @@ static void it_comes_back_from_the_journal(void **state)
     open_place(&place);
     uint64_t want = mark_without(&place);
     struct bytes journal = write_journal(&place);
-    assert_true(live_garden_resume(place.garden, &place.trees, journal.data, journal.size));
-    live_garden_size(place.garden, WIDTH, HEIGHT);
-    const struct live_garden_plate *plate = settle(&place);
+    assert_true(live_scene_resume(place.live, &place.trees, SCENE_TREES, "trees", journal.data, journal.size));
+    live_scene_size(place.live, WIDTH, HEIGHT);
+    const struct live_view *plate = settle(&place);
     assert_true(plate->any && mark_of(&plate->plate) == want);
     assert_int_equal((int)sheet_of(&place).tick, 120);
-    assert_true(sheet_of(&place).on && sheet_of(&place).can_undo == UINT64_C(1) << VISITOR);
+    assert_true(sheet_of(&place).kind == SCENE_TREES && sheet_of(&place).can_undo == UINT64_C(1) << VISITOR);
     place.ticked = 120;
     tell(&place, STUDIO_RESTORED, &place.trees, NULL); /* the studio has taken up the painting */
-    assert_true(live_garden_is_calm(place.garden));
+    assert_true(live_scene_is_calm(place.live));
     close_place(&place);
 
     open_place(&place);
-    assert_true(live_garden_resume(place.garden, &place.trees, journal.data, journal.size - 3)); /* torn */
-    live_garden_size(place.garden, WIDTH, HEIGHT);
+    assert_true(
+        live_scene_resume(place.live, &place.trees, SCENE_TREES, "trees", journal.data, journal.size - 3)); /* torn */
+    live_scene_size(place.live, WIDTH, HEIGHT);
     plate = settle(&place);
     assert_true(plate->any && mark_of(&plate->plate) == want);
     close_place(&place);
 
     open_place(&place);
-    assert_false(live_garden_resume(place.garden, &place.trees, NULL, 0)); /* none: an empty garden */
-    live_garden_size(place.garden, WIDTH, HEIGHT);
+    assert_false(
+        live_scene_resume(place.live, &place.trees, SCENE_TREES, "trees", NULL, 0)); /* none: an empty garden */
+    live_scene_size(place.live, WIDTH, HEIGHT);
     plate = settle(&place);
-    assert_true(!plate->any && sheet_of(&place).on);
+    assert_true(!plate->any && sheet_of(&place).kind == SCENE_TREES);
     close_place(&place);
     bytes_finish(&journal);
 }

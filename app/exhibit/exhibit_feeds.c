@@ -1,0 +1,229 @@
+/* `inputs` of scenes: what one takes from another, as a graph (graph.h) whose types are checked. */
+#include <string.h>
+
+#include "exhibit_read.h"
+
+enum { ID_BYTES = 40, TICKS = 20000, TICKS_INITIAL = 600 };
+
+#define OF(field) .offset = offsetof(struct exhibit_feed, field)
+
+const struct key scene_feed_keys[] = {
+    {.name = "from",
+     .type = KEY_TEXT,
+     .unit = "the id of a scene",
+     .min = 1,
+     .max = ID_BYTES,
+     OF(id),
+     .required = true,
+     .meaning = "The scene that it comes from: what has just been made in it on this sheet, else what it grows by "
+                "itself."},
+    {.name = "of",
+     .type = KEY_CHOICE,
+     .unit = "",
+     .initial = FIELD_DARK,
+     .choices = scene_field_names,
+     OF(of),
+     .meaning = "What is taken: dark where it has grown (a scalar), along which way it grew (a vector), around what it "
+                "makes of its surroundings (a scalar)."},
+    {.name = "as",
+     .type = KEY_CHOICE,
+     .unit = "",
+     .initial = PORT_GUIDE,
+     .choices = graph_port_names,
+     OF(as),
+     .required = true,
+     .meaning = "What it becomes: of a painting guide (a vector), mask, coefficient, ink, relief or background, of "
+                "trees picture, of lightning outline, of chemistry style, seeds or orientation (a vector)."},
+    {.name = "reading",
+     .type = KEY_CHOICE,
+     .unit = "",
+     .initial = GRAPH_AS_IT_IS,
+     .choices = graph_reading_names,
+     OF(reading),
+     .meaning = "How a scalar becomes a vector."},
+    {.name = "coefficient", .type = KEY_COEFFICIENT, .unit = "", OF(coefficient), .meaning = "Which one varies by it."},
+    {.name = "value",
+     .type = KEY_NUMBER,
+     .unit = "as the coefficient",
+     .min = -1000000,
+     .max = 1000000,
+     OF(value),
+     .meaning = "The coefficient where the other scene has grown."},
+    {.name = "to",
+     .type = KEY_NUMBER,
+     .unit = "as the coefficient",
+     .min = -1000000,
+     .max = 1000000,
+     OF(to),
+     .meaning = "The coefficient where it has not."},
+    {.name = "ink",
+     .type = KEY_INK,
+     .unit = "",
+     .initial = -1,
+     OF(ink),
+     .meaning = "The ink of a drawing or a background; the first of a drawing, the last of a background if left out."},
+    {.name = "strength",
+     .type = KEY_NUMBER,
+     .unit = "share",
+     .min = 0,
+     .max = 1,
+     .initial = 0.7,
+     OF(strength),
+     .meaning =
+         "Length of a field, darkness of a drawing, how much sparser growth is elsewhere, contrast of a picture; "
+         "nothing of a mask."},
+    {.name = "tick",
+     .type = KEY_INTEGER,
+     .unit = "ticks",
+     .min = 1,
+     .max = TICKS,
+     .initial = TICKS_INITIAL,
+     OF(tick),
+     .meaning = "How long the other scene grows by itself, where nobody has just made it on this sheet."},
+    {.name = "invert",
+     .type = KEY_FLAG,
+     .unit = "",
+     OF(invert),
+     .meaning = "Whether dark and light change places; of a vector, forward and back."},
+    {.name = NULL},
+};
+
+/* `value` and `to` in the range of what they set. */
+static void check_coefficient(struct reader *reader, const struct yaml_node *item, const struct exhibit_feed *feed)
+{
+    static const char *const NAMES[] = {"coefficient", "value", "to"};
+    char allowed[400];
+    const struct key *key = &coefficient_keys[feed->coefficient > 0 ? feed->coefficient : 0];
+    for (int i = 0; i < 3; i++) {
+        const struct yaml_node *given = yaml_get(item, NAMES[i]);
+        bool wanted = feed->as == PORT_COEFFICIENT;
+        float number = i == 1 ? feed->value : feed->to;
+        if (wanted && !given) {
+            exhibit_problem(reader, NAMES[i], item, "missing; %s",
+                            i == 0 ? "the name of a coefficient" : value_allowed(key, allowed, sizeof allowed));
+        } else if (!wanted && given) {
+            exhibit_problem(reader, NAMES[i], given, "of '%s'; as: coefficient, or no %s", graph_port_names[feed->as],
+                            NAMES[i]);
+        } else if (wanted && i > 0 && !((double)number >= key->min && (double)number <= key->max)) {
+            exhibit_problem(reader, NAMES[i], given, "%g is out of range; %s", (double)number,
+                            value_allowed(key, allowed, sizeof allowed));
+        }
+    }
+}
+
+static void read_feed(struct reader *reader, const struct yaml_node *item, int index, void *context)
+{
+    struct exhibit_scene *scene = context;
+    struct exhibit_feed *feed = &scene->feeds[index];
+    int before = reader->report->count + reader->report->dropped;
+    if (!exhibit_item(reader, item, scene_feed_keys, feed, "{from: SCENE, of: dark, as: mask}")) {
+        return;
+    }
+    const struct yaml_node *ink = yaml_get(item, "ink");
+    if (reader->report->count + reader->report->dropped == before) {
+        check_coefficient(reader, item, feed);
+    }
+    if (ink && feed->as != PORT_INK && feed->as != PORT_BACKGROUND) {
+        exhibit_problem(reader, "ink", ink, "of '%s'; as: ink, as: background, or no ink", graph_port_names[feed->as]);
+    }
+    scene->feed_count = index + 1;
+}
+
+void exhibit_read_feeds(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene)
+{
+    inputs_list(reader, item, "inputs", EXHIBIT_FEEDS, "a list of {from: SCENE, of: dark, as: mask}", read_feed, scene);
+}
+
+bool exhibit_is_fed(const struct yaml_node *item, enum graph_port port)
+{
+    const struct yaml_node *list = yaml_get(item, "inputs");
+    bool fed = false;
+    for (const struct yaml_node *one = list && list->kind == YAML_LIST ? list->first : NULL; one; one = one->next) {
+        const struct yaml_node *as = one->kind == YAML_MAPPING ? yaml_get(one, "as") : NULL;
+        fed = fed || (as && as->kind == YAML_SCALAR && strcmp(as->text, graph_port_names[port]) == 0);
+    }
+    return fed;
+}
+
+struct graph exhibit_graph(const struct exhibit *exhibit)
+{
+    struct graph graph = {.node_count = 0};
+    for (int i = 0; i < exhibit->scene_count; i++) {
+        graph_add(&graph, exhibit->scenes[i].id, (enum scene_kind)exhibit->scenes[i].kind);
+    }
+    for (int i = 0; i < exhibit->scene_count; i++) {
+        for (int k = 0; k < exhibit->scenes[i].feed_count; k++) {
+            const struct exhibit_feed *feed = &exhibit->scenes[i].feeds[k];
+            graph_connect(&graph, &(struct graph_edge){feed->from, i, feed->of, feed->as, feed->reading});
+        }
+    }
+    return graph;
+}
+
+/* The scenes that there are, while they are looked up. */
+struct checking {
+    struct exhibit *exhibit;
+    struct graph graph;
+    int scene;
+};
+
+/* The input that closes a circle is the one that is wrong. */
+static void connect(struct reader *reader, const struct yaml_node *from, const struct graph_edge *edge,
+                    struct graph *graph)
+{
+    int order[GRAPH_NODES], count;
+    char text[GRAPH_TEXT];
+    graph_connect(graph, edge);
+    if (!graph_order(graph, order, &count, text, sizeof text)) {
+        graph->edge_count--;
+        exhibit_problem(reader, "from", from, "closes a circle, %s; a scene that is not fed by this one", text);
+    }
+}
+
+static void check_feed(struct reader *reader, const struct yaml_node *item, int index, void *context)
+{
+    struct checking *checking = context;
+    struct exhibit_feed *feed = &checking->exhibit->scenes[checking->scene].feeds[index];
+    const struct yaml_node *from = yaml_get(item, "from");
+    struct names ids = {.count = 0};
+    struct graph_wrong wrong;
+    for (int i = 0; i < checking->exhibit->scene_count; i++) {
+        const char *id = checking->exhibit->scenes[i].id;
+        ids.names[ids.count++] = id ? id : "";
+    }
+    size_t length = reader_enter(reader, "from");
+    bool known = value_choice(reader, &ids, "scene", from, &feed->from);
+    reader_leave(reader, length);
+    if (!known) {
+        return;
+    }
+    struct graph_edge edge = {feed->from, checking->scene, feed->of, feed->as, feed->reading};
+    if (graph_check(&checking->graph, &edge, &wrong)) {
+        connect(reader, from, &edge, &checking->graph);
+    } else {
+        const struct yaml_node *at = yaml_get(item, wrong.key);
+        exhibit_problem(reader, wrong.key, at ? at : item, "%s", wrong.text);
+    }
+}
+
+void exhibit_check_feeds(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit)
+{
+    const struct yaml_node *list = yaml_get(root, "scenes");
+    struct checking checking = {.exhibit = exhibit};
+    int fed = 0, index = 0;
+    for (int i = 0; i < exhibit->scene_count; i++) {
+        graph_add(&checking.graph, exhibit->scenes[i].id, (enum scene_kind)exhibit->scenes[i].kind);
+        fed += exhibit->scenes[i].feed_count;
+    }
+    if (fed == 0 || !report_empty(reader->report) || !list) {
+        return; /* what is wrong with the scenes comes first */
+    }
+    size_t length = reader_enter(reader, "scenes");
+    for (const struct yaml_node *item = list->first; item; item = item->next, index++) {
+        size_t outer = reader_enter_index(reader, index);
+        checking.scene = index;
+        inputs_list(reader, item, "inputs", EXHIBIT_FEEDS, "", check_feed, &checking);
+        reader_leave(reader, outer);
+    }
+    reader_leave(reader, length);
+}

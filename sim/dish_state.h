@@ -1,0 +1,64 @@
+/* What the files of dish.h share. */
+#ifndef FROND_DISH_STATE_H
+#define FROND_DISH_STATE_H
+
+#include "dish.h"
+
+enum {
+    DISH_STOPS = 16,   /* of a clear gradient */
+    DISH_LOOKED = 120, /* ticks after which it is looked whether anything is left */
+};
+
+struct dish {
+    struct dish_def def;
+    int width, height; /* cells of the sheet */
+    struct gray_scott *chemistry;
+    bool fresh;               /* u = 1, v = 0 everywhere */
+    bool starts;              /* a preset was set, and it is fresh: at the tick it starts */
+    bool failed;              /* memory was short */
+    struct action_raster map; /* the style, as it came; values NULL: none */
+    float *style;             /* its values; owned */
+    float *along;             /* what was combed: 2 * cells of the chemistry, by channel; NULL: nothing */
+    bool combed;              /* and the chemistry does not know it yet */
+    float *dry;               /* of each cell of the chemistry, 0..1; NULL: nowhere */
+    float all_dry;            /* of the whole sheet, 0..1 */
+    float owed;               /* steps, less than one */
+    float *seen;              /* v, row by row, as of the last tick */
+    float *before;            /* u and v before the tick's steps, where something is dry; NULL until wanted */
+    struct gradient_stop stops[DISH_STOPS]; /* of the gradient where it is clear */
+    int stop_count;
+};
+
+int dish_cells_x(const struct dish *dish);
+int dish_cells_y(const struct dish *dish);
+static inline size_t dish_cells(const struct dish *dish)
+{
+    return (size_t)gray_scott_width(dish->chemistry) * (size_t)gray_scott_height(dish->chemistry);
+}
+
+/* dish.c. The values of the keys, with what the style and the comb bring by themselves, become the chemistry's. */
+void dish_set(struct dish *dish);
+/* The chemistry on the grid that sheet and scale ask for. */
+void dish_regrid(struct dish *dish);
+
+/* dish_act.c */
+void dish_dose(struct dish *dish, const struct action *action);
+void dish_style(struct dish *dish, const struct action *action);
+void dish_rinse(struct dish *dish, const struct action *action);
+void dish_clear(struct dish *dish);
+void dish_dry(struct dish *dish, const struct action *action, bool wet);
+
+/* dish_comb.c: a guide. */
+void dish_comb(struct dish *dish, const struct action *action);
+
+/* dish_view.c */
+void dish_make_stops(struct dish *dish);
+bool dish_lay(struct dish *dish, int64_t tick, int width, int height, uint8_t *rgb);
+/* dish_field.c. Bilinear at the middles of other cells. */
+void dish_sample(const float *plane, int width, int height, int to_width, int to_height, float *values);
+bool dish_plane(const struct dish *dish, int plane, int width, int height, float *values);
+/* dish_figures.c */
+int dish_figures(const struct dish *dish, struct scene_figure *figures);
+bool dish_field(const struct dish *dish, enum scene_field field, int width, int height, float *values);
+
+#endif
