@@ -169,7 +169,10 @@ bool bolt_write_height(const struct bolt_result *result, const char *path, struc
     struct field field = {0};
     size_t stride = 2 * (size_t)order->width + 1;
     uint8_t *rows = calloc(stride, (size_t)order->height);
-    bool good = rows && sample(result, &field);
+    /* Of what has grown alone: attractors and repulsors would be the highest peaks and deepest holes by far. */
+    const struct laplacian_def *growth = &order->bolt.growth;
+    bool good = rows && laplacian_charge(result->laplacian, NULL, 0) && sample(result, &field) &&
+                laplacian_charge(result->laplacian, growth->charges, growth->charge_count);
     if (!good) {
         file_fail(error, path, "memory is short");
     }

@@ -63,8 +63,8 @@ bool bolt_write_svg(const struct bolt_result *result, const char *path, struct f
 bool bolt_write_stats(const struct bolt_result *result, const char *path, struct file_error *error);
 /* Eq. 10 at every pixel, in bands of colour as figure 5b has it. */
 bool bolt_write_potential(const struct bolt_result *result, const char *path, struct file_error *error);
-/* The same as heights, 16 bits: 65535 where the growth is, lower with the potential (section IV.C). Of rivers and
- * fracture, which cut into the land, 0 where the growth is. */
+/* That of the particles alone, without attractors and repulsors, as heights of 16 bits: the growth is ridges up to
+ * 65535 (section IV.C). Of rivers and fracture, which cut into the land, it is valleys down to 0. */
 bool bolt_write_height(const struct bolt_result *result, const char *path, struct file_error *error);
 
 #endif
