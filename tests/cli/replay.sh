@@ -86,7 +86,7 @@ ticks: 40
 actions:
   - {tick: 0, strike: {at: [0.5, 0.8]}}
 YAML
-expect 0 render bolt.yaml --stats bolt.json --fields bolt.exr
+expect 0 render bolt.yaml -o bolt.png --stats bolt.json --fields bolt.exr
 grep -q '"bolts": 1,' bolt.json || fail "$last: no bolt is counted: $(cat bolt.json)"
 grep -q 'lightning.around' bolt.exr || fail "$last: no channel of the potential"
 
