@@ -14,7 +14,7 @@ _Static_assert(sizeof(struct bolt_segment) == 12 * sizeof(float), "a segment is 
 enum { ATTRIBUTES = 3, FROM_LEVEL = 0, FROM_LIGHT = 1, FROM_BODIES = 2 };
 /* Locations of uniforms, as the shaders have them. */
 enum { AT_TURN, AT_EYE, AT_SCALE, AT_LIFE, AT_LOOK, AT_SIZE };
-enum { AT_PANEL, AT_PANEL_TURN, AT_COLOUR, AT_CORE, AT_GROUND, AT_EXACT, AT_OPACITY };
+enum { AT_PANEL, AT_PANEL_TURN, AT_COLOUR, AT_CORE, AT_GROUND, AT_ASIDE = 2 };
 
 /* When segments of a block are there, ticks since view->tick. */
 struct block {
@@ -23,11 +23,11 @@ struct block {
 };
 
 struct bolt_light_gpu {
-    unsigned draw[BOLT_STYLES], halve[3], sum, paint[BOLT_STYLES]; /* programs */
+    unsigned draw[BOLT_STYLES], halve[3], sum, paint[BOLT_STYLES], show; /* programs */
     unsigned buffer, attributes;
     int count, room; /* segments */
     struct block *blocks;
-    float scale, opacity;
+    float scale;
     struct bolt_targets targets;
     uint64_t uploaded;
 };
@@ -47,7 +47,8 @@ static bool make_programs(struct bolt_light_gpu *light, const struct shader_fold
         }
     }
     light->sum = program_draw(folder, "cover.vert", "bolt_light_sum.frag", NULL, error);
-    return light->sum;
+    light->show = light->sum ? program_draw(folder, "cover.vert", "bolt_light_show.frag", NULL, error) : 0;
+    return light->show;
 }
 
 struct bolt_light_gpu *bolt_light_gpu_create(const struct shader_folder *folder, struct shader_error *error)
@@ -57,7 +58,7 @@ struct bolt_light_gpu *bolt_light_gpu_create(const struct shader_folder *folder,
         shader_fail(error, "memory is short for light");
         return NULL;
     }
-    light->scale = light->opacity = 1;
+    light->scale = 1;
     if (!make_programs(light, folder, error)) {
         bolt_light_gpu_destroy(light);
         return NULL;
@@ -77,6 +78,7 @@ void bolt_light_gpu_destroy(struct bolt_light_gpu *light)
         glDeleteProgram(light->paint[i]);
     }
     glDeleteProgram(light->sum);
+    glDeleteProgram(light->show);
     glDeleteVertexArrays(1, &light->attributes);
     glDeleteBuffers(1, &light->buffer);
     bolt_targets_finish(&light->targets);
@@ -87,11 +89,6 @@ void bolt_light_gpu_destroy(struct bolt_light_gpu *light)
 void bolt_light_gpu_scale(struct bolt_light_gpu *light, float scale)
 {
     light->scale = fminf(fmaxf(scale, 0.25f), 2);
-}
-
-void bolt_light_gpu_opacity(struct bolt_light_gpu *light, float opacity)
-{
-    light->opacity = fminf(fmaxf(opacity, 0), 1);
 }
 
 static GLsizeiptr bytes_of(int segments)
@@ -290,37 +287,43 @@ static void sum_levels(const struct bolt_light_gpu *light)
     }
 }
 
-static void set_blend(const struct bolt_view *view, int style, float opacity)
+static void set_blend(const struct bolt_view *view, int style)
 {
-    if (view->clear || opacity < 1) {
+    if (view->clear) {
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
-        glBlendFunc(GL_ONE, view->clear && style == BOLT_GLOW ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
+        glBlendFunc(GL_ONE, style == BOLT_GLOW ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
     }
 }
 
-static void paint(const struct bolt_light_gpu *light, const struct bolt_view *view, int panel_width, int panel_height,
-                  const float turn[4], bool exact)
+/* Onto what is bound. */
+static void paint(const struct bolt_light_gpu *light, const struct bolt_view *view, int width, int height,
+                  const float turn[4])
 {
     const struct bolt_targets *targets = &light->targets;
     const struct bolt_look *look = &view->look;
-    /* What is not halved is made smooth by samples half a pixel aside. */
-    float aside = targets->style == BOLT_BODY && exact ? 0.5f : 0;
-    set_blend(view, targets->style, light->opacity);
     glUseProgram(light->paint[targets->style]);
-    glUniform2i(AT_PANEL, panel_width, panel_height);
+    glUniform2i(AT_PANEL, width, height);
     glUniformMatrix2fv(AT_PANEL_TURN, 1, GL_FALSE, turn);
     glUniform4f(AT_COLOUR, look->colour[0], look->colour[1], look->colour[2], view->clear ? 1 : 0);
     glUniform4f(AT_CORE, look->core[0], look->core[1], look->core[2], fminf(fmaxf(view->flash, 0), 1));
-    glUniform4f(AT_GROUND, look->ground[0], look->ground[1], look->ground[2], aside);
-    glUniform1i(AT_EXACT, exact);
-    glUniform1f(AT_OPACITY, light->opacity);
+    glUniform4f(AT_GROUND, look->ground[0], look->ground[1], look->ground[2], 0);
     take(0, targets->samples.texture);
     take(1, targets->depths);
     take(2, targets->levels > 0 ? targets->sum[1].texture : 0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glActiveTexture(GL_TEXTURE0);
-    glDisable(GL_BLEND);
+}
+
+/* Bodies have hard edges in their samples; where a sample is a pixel, four that meet half a pixel aside are mixed. */
+static void show(const struct bolt_light_gpu *light, int panel_width, int panel_height, const float turn[4], bool exact)
+{
+    const struct bolt_target *picture = &light->targets.picture;
+    glUseProgram(light->show);
+    glUniform2i(AT_PANEL, panel_width, panel_height);
+    glUniformMatrix2fv(AT_PANEL_TURN, 1, GL_FALSE, turn);
+    glUniform2f(AT_ASIDE, exact ? 0.5f / (float)picture->width : 0, exact ? 0.5f / (float)picture->height : 0);
+    take(0, picture->texture);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 static int samples_of(float scale, int pixels)
@@ -338,15 +341,28 @@ bool bolt_light_gpu_present(struct bolt_light_gpu *light, const struct bolt_view
     if (view->clear && !(view->flash > 0) && !draw_blocks(light, age, false, true)) {
         return true;
     }
-    int width = turned ? panel_height : panel_width, height = turned ? panel_width : panel_height;
-    if (!bolt_targets_fit(&light->targets, style, samples_of(light->scale, width), samples_of(light->scale, height))) {
+    int across = turned ? panel_height : panel_width, down = turned ? panel_width : panel_height;
+    int width = samples_of(light->scale, across), height = samples_of(light->scale, down);
+    bool exact = width == across && height == down, picture = !exact || style == BOLT_BODY;
+    if (!bolt_targets_fit(&light->targets, style, width, height, picture)) {
         return false;
     }
     draw_samples(light, view, age);
     sum_levels(light);
-    bool exact = light->targets.samples.width == width && light->targets.samples.height == height;
+    if (picture) {
+        static const float upright[4] = {1, 0, 0, -1}; /* row 0 at the top */
+        show_target(light->targets.picture.framebuffer, width, height);
+        paint(light, view, width, height, upright);
+    }
     show_target(framebuffer, panel_width, panel_height);
-    paint(light, view, panel_width, panel_height, turn, exact);
+    set_blend(view, style);
+    if (picture) {
+        show(light, panel_width, panel_height, turn, exact);
+    } else {
+        paint(light, view, panel_width, panel_height, turn);
+    }
+    glActiveTexture(GL_TEXTURE0);
+    glDisable(GL_BLEND);
     return true;
 }
 

@@ -1,13 +1,11 @@
-// Samples and the sums of their levels as a picture: sim/bolt_light_paint.c.
+// Samples and the sums of their levels as a picture, each of its own: sim/bolt_light_paint.c.
 #variant STYLE=0|1|2
 #include "bolt_light.glsl"
 layout(location = 0) uniform ivec2 panel;
 layout(location = 1) uniform mat2 turn;   // from the sheet's clip coordinates to the panel's
 layout(location = 2) uniform vec4 colour; // linear; 1: no ground
 layout(location = 3) uniform vec4 core;   // linear; flash
-layout(location = 4) uniform vec4 ground; // linear; samples that all is shifted by, to be smooth
-layout(location = 5) uniform bool exact;  // a sample is a pixel
-layout(location = 6) uniform float opacity;
+layout(location = 4) uniform vec4 ground; // linear; 0
 
 layout(binding = 0) uniform sampler2D samples;
 layout(binding = 1) uniform sampler2D depths;
@@ -30,21 +28,15 @@ vec3 shoulder(vec3 light)
     return 1.0 - exp2(-1.6 * light);
 }
 
-vec4 sample_at(ivec2 at)
-{
-    return texelFetch(samples, clamp(at, ivec2(0), textureSize(samples, 0) - 1), 0);
-}
-
 #if STYLE == 2
 // One sample, encoded and multiplied by whether anything is there.
-vec4 body(ivec2 at, vec2 around)
+vec4 body(ivec2 at, vec4 texel)
 {
-    at = clamp(at, ivec2(0), textureSize(samples, 0) - 1);
-    vec4 texel = texelFetch(samples, at, 0);
     float number = floor(texel.w * 255.0 + 0.5);
     if (number < 0.5) {
         return vec4(0.0);
     }
+    vec2 around = level_between(sums, 0.5 * (vec2(at) + 0.5));
     vec2 packed_depth = texelFetch(depths, at, 0).xy;
     float depth = (packed_depth.x * 256.0 + packed_depth.y) / 257.0;
     float behind = max(depth * around.y - around.x, 0.0);
@@ -67,15 +59,6 @@ vec4 body(ivec2 at, vec2 around)
     vec3 light = own * (1.45 * key + 1.6 * sky + edge) + (leaf ? 0.06 : 0.16) * shine * open;
     return vec4(encoded(mix(shoulder(light), ground.rgb, far)), 1.0);
 }
-#else
-vec4 light_or_line(ivec2 at)
-{
-    vec4 texel = sample_at(at);
-#if STYLE == 0
-    texel.x *= texel.x;
-#endif
-    return texel;
-}
 #endif
 
 void main()
@@ -83,41 +66,27 @@ void main()
     vec2 clip = (gl_FragCoord.xy / vec2(panel) * 2.0 - 1.0) * turn; // times the transpose, which turns back
     vec2 size = vec2(textureSize(samples, 0));
     vec2 place = vec2(clip.x * 0.5 + 0.5, 0.5 - clip.y * 0.5) * size;
-    vec2 at = place - 0.5 + ground.w;
-    ivec2 first = ivec2(floor(at));
-    vec2 share = at - vec2(first);
+    ivec2 at = clamp(ivec2(place), ivec2(0), ivec2(size) - 1);
     float flash = core.w;
     bool clear = colour.w > 0.5;
-    vec4 own;
-#if STYLE == 2
-    vec2 around = level_between(sums, 0.5 * place);
-    vec4 top = mix(body(first, around), body(first + ivec2(1, 0), around), share.x);
-    vec4 low = mix(body(first + ivec2(0, 1), around), body(first + 1, around), share.x);
-    own = mix(top, low, share.y);
-#else
-    if (exact) {
-        own = light_or_line(ivec2(place));
-    } else {
-        vec4 top = mix(light_or_line(first), light_or_line(first + ivec2(1, 0)), share.x);
-        vec4 low = mix(light_or_line(first + ivec2(0, 1)), light_or_line(first + 1), share.x);
-        own = mix(top, low, share.y);
-    }
+    vec4 own = texelFetch(samples, at, 0);
 #if STYLE == 0
+    own.x *= own.x;
     float halo = level_between(sums, 0.5 * place).x;
     vec3 tint = mix(colour.rgb, core.rgb, clamp(1.6 * own.x - 0.2, 0.0, 1.0));
     vec3 light = shoulder(5.0 * own.x * tint + halo * (11.0 * colour.rgb + 8.0 * halo * core.rgb));
     vec3 over = encoded(1.0 - (1.0 - (clear ? vec3(0.0) : clamp(ground.rgb, 0.0, 1.0))) * (1.0 - light));
-    result = opacity * vec4(over + flash * (1.0 - over), 1.0); // a screen, where there is no ground
-    return;
+    result = vec4(over + flash * (1.0 - over), 1.0); // a screen, where there is no ground
 #else
+#if STYLE == 1
     float within = own.x > 0.0 ? clamp(own.y / own.x, 0.0, 1.0) : 0.0;
     own = vec4(own.x * encoded(mix(colour.rgb, core.rgb, within)), own.x);
+#else
+    own = body(at, own);
 #endif
-#endif
-#if STYLE != 0
     if (!clear) {
         own = vec4(own.rgb + (1.0 - own.a) * encoded(ground.rgb), 1.0);
     }
-    result = opacity * vec4(own.rgb + flash * (1.0 - own.rgb), own.a + flash * (1.0 - own.a));
+    result = vec4(own.rgb + flash * (1.0 - own.rgb), own.a + flash * (1.0 - own.a));
 #endif
 }

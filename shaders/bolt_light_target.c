@@ -4,10 +4,10 @@
 
 #include "texture.h"
 
-static bool make(struct bolt_targets *targets, struct bolt_target *target, int width, int height)
+static bool make(struct bolt_targets *targets, struct bolt_target *target, enum texture_filter filter, int width,
+                 int height)
 {
-    const struct texture_def def = {
-        .format = TEXTURE_RGBA8, .filter = TEXTURE_NEAREST, .width = width, .height = height};
+    const struct texture_def def = {.format = TEXTURE_RGBA8, .filter = filter, .width = width, .height = height};
     target->texture = texture_create(&def);
     target->width = width;
     target->height = height;
@@ -27,6 +27,7 @@ static void finish(struct bolt_target *target)
 void bolt_targets_finish(struct bolt_targets *targets)
 {
     finish(&targets->samples);
+    finish(&targets->picture);
     texture_delete(&targets->depths);
     glDeleteRenderbuffers(1, &targets->depth);
     for (int level = 1; level <= BOLT_LEVELS; level++) {
@@ -54,23 +55,24 @@ static bool deepen(struct bolt_targets *targets, int width, int height)
     return targets->depths && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-bool bolt_targets_fit(struct bolt_targets *targets, int style, int width, int height)
+bool bolt_targets_fit(struct bolt_targets *targets, int style, int width, int height, bool picture)
 {
-    if (targets->samples.texture && targets->style == style && targets->samples.width == width &&
-        targets->samples.height == height) {
+    if (targets->samples.texture && picture == (targets->picture.texture > 0) && targets->style == style &&
+        targets->samples.width == width && targets->samples.height == height) {
         return true;
     }
     bolt_targets_finish(targets);
     targets->style = style;
     glActiveTexture(GL_TEXTURE0);
-    bool good =
-        make(targets, &targets->samples, width, height) && (style != BOLT_BODY || deepen(targets, width, height));
+    bool good = make(targets, &targets->samples, TEXTURE_NEAREST, width, height) &&
+                (style != BOLT_BODY || deepen(targets, width, height)) &&
+                (!picture || make(targets, &targets->picture, TEXTURE_LINEAR, width, height));
     targets->levels = style == BOLT_LINE ? 0 : bolt_levels(width, height);
     for (int level = 1; level <= targets->levels && good; level++) {
         width = (width + 1) / 2;
         height = (height + 1) / 2;
-        good =
-            make(targets, &targets->level[level], width, height) && make(targets, &targets->sum[level], width, height);
+        good = make(targets, &targets->level[level], TEXTURE_NEAREST, width, height) &&
+               make(targets, &targets->sum[level], TEXTURE_NEAREST, width, height);
     }
     if (!good) {
         bolt_targets_finish(targets);

@@ -109,19 +109,15 @@ void bolt_paint_bodies(const struct bolt_paint *paint, int y, uint8_t *rgb)
 {
     const struct bolt_samples *samples = paint->samples;
     for (int x = 0; x < paint->width; x++) {
-        float value = 0, weight = 0, own[3] = {0}, cover = 0;
-        bool known = false;
+        float own[3] = {0}, cover = 0;
         for (int i = 0; i < BOLT_SUPER * BOLT_SUPER; i++) {
-            size_t from = (size_t)(BOLT_SUPER * y + i / BOLT_SUPER) * (size_t)samples->width +
-                          (size_t)(BOLT_SUPER * x + i % BOLT_SUPER);
+            int from_x = BOLT_SUPER * x + i % BOLT_SUPER, from_y = BOLT_SUPER * y + i / BOLT_SUPER;
+            size_t from = (size_t)from_y * (size_t)samples->width + (size_t)from_x;
             if (!samples->samples[from].part[3]) {
                 continue;
             }
-            if (!known) {
-                bolt_chain_at(paint->chain, BOLT_SUPER * ((float)x + 0.5f), BOLT_SUPER * ((float)y + 0.5f), &value,
-                              &weight);
-                known = true;
-            }
+            float value, weight;
+            bolt_chain_at(paint->chain, (float)from_x + 0.5f, (float)from_y + 0.5f, &value, &weight);
             float depth = (float)samples->depth[from] / 65535, seen[3];
             shade(paint->view, samples->samples[from], depth, depth * weight - value, seen);
             for (int c = 0; c < 3; c++) {

@@ -49,6 +49,7 @@ static const struct figure_group GROUPS[] = {
     {"laplacian", "bolts, coral, attractors, masks, light", figure_laplacian},
     {"bolts", "every kind of Laplacian growth as it looks", figure_bolts},
     {"lsystem", "plants that bend to light, keep clear of walls, climb", figure_lsystem},
+    {"light", "Laplacian growth as light, lines and bodies", figure_light},
     {"chemistry", "Gray-Scott: the figures of the article", figure_chemistry},
     {"classes", "Gray-Scott: Pearson's classes and the map of feed and kill", figure_classes},
     {"dish", "A dish: what visitors do to the chemistry", figure_dish},

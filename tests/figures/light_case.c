@@ -80,17 +80,17 @@ static const struct kind KINDS[LIGHT_CASES] = {
                      .look = {BOLT_LINE, 1.2f, 0.22f, 3, {0.75f, 0.87f, 0.95f}, {1, 1, 1}, {0.02f, 0.06f, 0.12f}}},
     [LIGHT_CORAL] =
         {.dimensions = 3,
-         .particles = 9000,
-         .eta = 3,
-         .charge = {LAPLACIAN_PLANE, -3000, {0, 4}, {0, 1}, 0, NULL, 0, false},
+         .particles = 6000,
+         .eta = 6,
+         .charge = {LAPLACIAN_PLANE, -6000, {0, 6}, {0, 1}, 0, NULL, 0, false},
          .jitter = 0.7f,
-         .smooth = 2,
+         .smooth = 4,
          .look = {BOLT_BODY, 2.2f, 0.5f, 3, {0.62f, 0.09f, 0.06f}, {0.98f, 0.62f, 0.42f}, {0.02f, 0.07f, 0.1f}},
          .tilt = 0.04f},
     [LIGHT_TREE] =
         {.dimensions = 3,
-         .particles = 5000,
-         .eta = 4,
+         .particles = 4500,
+         .eta = 5.5f,
          .charge = {LAPLACIAN_PLANE, -3000, {0, 4}, {0, 1}, 0, NULL, 0, false},
          .seed = {{0, 0, 0}, {0, -24, 0}},
          .jitter = 0.7f,
@@ -248,12 +248,13 @@ static void fill(const struct kind *kind, const struct grown *grown, float scale
             to->radius = to->radius_from = scale * look->trunk;
         }
         bool leafy = look->leaves > 0 && grown->carried[i] < 12 && i % (int)look->leaves == 0;
-        to->leaf = leafy ? 1.6f * scale : 0;
+        to->leaf = leafy ? 1.9f * scale : 0;
     }
     free(channel);
 }
 
-const char *light_case_grow(enum light_case which, int width, int height, struct bolt_view *view)
+const char *light_case_grow(enum light_case which, int width, int height, struct bolt_view *view,
+                            struct bolt_segment **own)
 {
     const struct kind *kind = &KINDS[which];
     struct grown grown;
@@ -262,6 +263,7 @@ const char *light_case_grow(enum light_case which, int width, int height, struct
     if (wrong) {
         return wrong;
     }
+    *own = NULL;
     struct bolt_segment *segments = malloc((size_t)grown.count * sizeof *segments);
     if (segments) {
         smooth(&grown, kind->smooth);
@@ -270,7 +272,7 @@ const char *light_case_grow(enum light_case which, int width, int height, struct
         view->look.tip *= scale;
         fill(kind, &grown, scale, segments);
     }
-    view->segments = segments;
+    view->segments = *own = segments;
     view->count = segments ? grown.count : 0;
     finish(&grown);
     return segments ? NULL : "no memory";

@@ -19,8 +19,9 @@ enum light_case {
 };
 extern const char *const light_case_names[LIGHT_CASES];
 
-/* Grown, fitted into width x height cells; NULL and a reason when that fails. Segments are owned by the caller (free).
- */
-const char *light_case_grow(enum light_case which, int width, int height, struct bolt_view *view);
+/* Grown, fitted into width x height cells; NULL and a reason when that fails. Segments, also in `own`, are
+ * owned by the caller (free). */
+const char *light_case_grow(enum light_case which, int width, int height, struct bolt_view *view,
+                            struct bolt_segment **own);
 
 #endif
