@@ -88,16 +88,27 @@ static void compose_flashes(const struct stormer *stormer, float from_s, float t
     }
 }
 
-/* What grows slowly, from places apart; a hand over it draws it up. */
-static void compose_slow(const struct stormer *stormer, float from_s, float to_s)
+/* How far down the sheet a kind begins: on the ground, at the spring of a river, or in the middle of what it spreads
+ * over. */
+static float begin_of(enum bolt_kind kind, struct dice *dice)
+{
+    bool stands = kind == BOLT_TREE || kind == BOLT_CORAL;
+    float y = stands ? 0.79f : kind == BOLT_RIVER ? 0.12f : kind == BOLT_FROST ? 0.9f : 0.5f;
+    return y + dice_between(dice, -0.07f, 0.07f);
+}
+
+/* What grows slowly, from places apart; a hand draws it to itself. */
+static void compose_slow(const struct stormer *stormer, enum bolt_kind kind, float from_s, float to_s)
 {
     struct dice *dice = stormer->dice;
     float side = dice_chance(dice, 0.5f) ? 0.3f : 0.7f, every = fmaxf(GROW_S, (to_s - from_s) / SLOW), at = from_s;
     while (at < to_s) {
         float x = side + dice_between(dice, -0.12f, 0.12f);
-        post_strike(stormer, (struct point){x, dice_between(dice, 0.72f, 0.86f)}, at);
+        post_strike(stormer, (struct point){x, begin_of(kind, dice)}, at);
         if (at + 3 + STAYS_S < to_s && dice_chance(dice, 0.7f)) {
+            bool down = kind == BOLT_RIVER;
             struct point hand = {x + dice_between(dice, -0.25f, 0.25f), dice_between(dice, 0.2f, 0.5f)};
+            hand.y = down ? 1 - hand.y : hand.y;
             hand.x = fminf(fmaxf(hand.x, 0.08f), 0.92f);
             post_hand(stormer, hand, at + 3);
         }
@@ -116,11 +127,11 @@ void compose_storm(struct performance *performance, const struct compose_storm_d
     if (flashes && whole > 40) { /* a storm, and after it a slow coral */
         compose_flashes(&stormer, from, turn);
         post_kind(&stormer, BOLT_CORAL, turn + 1);
-        compose_slow(&stormer, turn + 2, end);
+        compose_slow(&stormer, BOLT_CORAL, turn + 2, end);
     } else if (flashes) {
         compose_flashes(&stormer, from, end);
     } else {
-        compose_slow(&stormer, from, end);
+        compose_slow(&stormer, (enum bolt_kind)def->options->lightning.kind, from, end);
     }
     performance_space(performance, (int)ticks_of(&stormer, 0.4f));
     lift_hands(&stormer);
