@@ -8,6 +8,7 @@
 #include "bolt_shape.h"
 #include "file.h"
 #include "fit.h"
+#include "lsystem_plant.h"
 
 enum { BOLT_OUTPUTS = 8, BOLT_SIDE_MOST = 8192, BOLT_PATH_PLACES = 1024 };
 
@@ -18,13 +19,15 @@ enum bolt_picture { BOLT_MASK, BOLT_ETA_MAP, BOLT_OUTLINE, BOLT_ENVIRONMENT, BOL
 struct bolt_order {
     struct bolt bolt; /* the preset of the kind, and what was asked for instead */
     int kind;
-    int width, height; /* pixels: the room */
-    float turn;        /* turns about the upright axis */
-    int sides;         /* of the tubes of a mesh */
-    int film;          /* pictures of a film */
-    bool lines;        /* a mesh of lines with radii, no tubes */
-    bool bare;         /* without the charges and seeds of the kind */
-    int axes[3];       /* what is seen of more than three dimensions */
+    int lsystem;                /* 0, or 1 + enum lsystem_kind: a plant in the place of an aggregate */
+    struct lsystem_plant plant; /* its values; its charges and seeds are those of `bolt` */
+    int width, height;          /* pixels: the room */
+    float turn;                 /* turns about the upright axis */
+    int sides;                  /* of the tubes of a mesh */
+    int film;                   /* pictures of a film */
+    bool lines;                 /* a mesh of lines with radii, no tubes */
+    bool bare;                  /* without the charges and seeds of the kind */
+    int axes[3];                /* what is seen of more than three dimensions */
     const char *pictures[BOLT_PICTURES];
     const char *outputs[BOLT_OUTPUTS]; /* .png, .svg, .obj or .ply */
     int output_count;
@@ -46,7 +49,8 @@ bool bolt_order_run(struct bolt_order *order, struct file_error *error);
 /* What has grown, for those who write it. */
 struct bolt_result {
     const struct bolt_order *order;
-    struct laplacian *laplacian;
+    struct laplacian *laplacian; /* of a plant: the charges along it, where they are asked for */
+    struct lsystem *plant;       /* or NULL */
     struct bolt_shape shape;
     double seconds; /* that it took to grow */
 };
