@@ -237,6 +237,11 @@ static uint64_t hash(const void *scene)
     return storm_hash(scene);
 }
 
+static int figures(const void *scene, struct scene_figure *all)
+{
+    return storm_figures(scene, all);
+}
+
 const struct scene_type storm_type = {
     .name = "lightning",
     .options = storm_keys,
@@ -252,4 +257,5 @@ const struct scene_type storm_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .figures = figures,
 };

@@ -135,6 +135,9 @@ bool storm_bolt_grows(const struct storm_bolt *bolt);
 /* Particles of all. */
 int64_t storm_particles(const struct storm *storm);
 
+/* storm_figures.c: as struct scene_type has it. */
+int storm_figures(const struct storm *storm, struct scene_figure *figures);
+
 /* storm_aim.c: where bolts begin and what pulls them. */
 /* Fills what it needs of the bolt, and its seeds: at most `most`. False: nowhere to begin. */
 bool storm_place(struct storm *storm, const struct action *action, struct storm_bolt *bolt, struct bolt *preset,
