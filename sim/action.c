@@ -199,8 +199,9 @@ static const struct key STRIKE[] = {
 static const struct key ATTRACT[] = {
     AT(false, "Where the visitor's hand lies; it is lifted if left out, with a path, too."),
     PATH(false),
-    NUMBER(amount, "particles of 500", -1000, 1000, 100,
-           "How strongly, to a bolt of 500; below 0 it repels. Along a path: each cell of it, and it stays."),
+    NUMBER(amount, "particles", -1000, 1000, 100,
+           "How strongly, as so many do in a bolt of 500; below 0 it repels. Along a path: each cell of it, and it "
+           "stays."),
     END,
 };
 static const struct key CONDUCT[] = {

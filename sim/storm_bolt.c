@@ -106,12 +106,13 @@ static struct storm_bolt *make_room(struct storm *storm)
 static bool take_nodes(struct storm_bolt *bolt)
 {
     int32_t count = laplacian_count(bolt->laplacian);
-    if (count > bolt->room) {
+    if (count > bolt->room || !bolt->nodes) {
         int32_t wide = count + count / 2 + 256;
         struct storm_node *nodes = realloc(bolt->nodes, (size_t)wide * sizeof *nodes);
         if (!nodes) {
             return false;
         }
+        memset(nodes + bolt->room, 0, (size_t)(wide - bolt->room) * sizeof *nodes);
         bolt->nodes = nodes;
         bolt->room = wide;
     }
@@ -174,7 +175,7 @@ static void fill_bolt(const struct storm *storm, struct storm_bolt *bolt, const 
 /* False: there is nothing, for want of memory or of a place to begin. */
 static bool begin(struct storm *storm, struct storm_bolt *bolt, const struct action *action)
 {
-    size_t places = (size_t)(storm->columns * storm->rows);
+    size_t places = (size_t)storm->columns * (size_t)storm->rows;
     struct bolt *preset = malloc(sizeof *preset);
     struct laplacian_seed *seeds = malloc(SEEDS * sizeof *seeds);
     bool good = false;

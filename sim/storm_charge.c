@@ -20,8 +20,9 @@ bool storm_lattice_init(struct storm *storm)
         *sizes[i] = *sizes[i] < 2 ? 2 : *sizes[i];
     }
     int wide = 2 * storm->columns - 1;
-    size_t places = (size_t)(storm->columns * storm->rows), masks = (size_t)(storm->mask_columns * storm->mask_rows);
-    storm->kernel = malloc((size_t)(wide * storm->rows) * sizeof(float));
+    size_t places = (size_t)storm->columns * (size_t)storm->rows,
+           masks = (size_t)storm->mask_columns * (size_t)storm->mask_rows;
+    storm->kernel = malloc((size_t)wide * (size_t)storm->rows * sizeof(float));
     storm->painted = calloc(places, sizeof(float));
     storm->sources = calloc(places, sizeof(float));
     storm->mask = malloc(masks * sizeof(float));
@@ -153,7 +154,7 @@ void storm_feel(struct storm *storm, struct storm_bolt *bolt)
 
 bool storm_potential(const struct storm *storm, float *potential)
 {
-    size_t places = (size_t)(storm->columns * storm->rows);
+    size_t places = (size_t)storm->columns * (size_t)storm->rows;
     float *sources = calloc(places, sizeof *sources);
     if (!sources) {
         return false;
@@ -171,7 +172,7 @@ bool storm_potential(const struct storm *storm, float *potential)
 
 void storm_strokes_sum(struct storm *storm)
 {
-    memset(storm->painted, 0, (size_t)(storm->columns * storm->rows) * sizeof(float));
+    memset(storm->painted, 0, (size_t)storm->columns * (size_t)storm->rows * sizeof(float));
     for (int i = 0; i < STORM_STROKES; i++) {
         const struct storm_stroke *stroke = &storm->strokes[i];
         for (int k = 0; stroke->lives && stroke->undone == 0 && k < stroke->count; k++) {

@@ -136,7 +136,7 @@ static bool field_along(const struct storm *storm, int width, int height, float 
 /* Eq. 10 over its range, from the lattice; nearer to a branch than a place of that, less by the distance. */
 static bool field_around(const struct storm *storm, int width, int height, float *values)
 {
-    size_t count = (size_t)width * (size_t)height, places = (size_t)(storm->columns * storm->rows);
+    size_t count = (size_t)width * (size_t)height, places = (size_t)storm->columns * (size_t)storm->rows;
     float *potential = malloc(places * sizeof *potential), *far = malloc(count * sizeof *far);
     uint8_t *open = malloc(count);
     bool good = potential && far && open && storm_potential(storm, potential);
@@ -155,7 +155,8 @@ static bool field_around(const struct storm *storm, int width, int height, float
         good = distance_transform(open, width, height, far);
         for (size_t i = 0; i < count && good; i++) {
             float x = ((float)(i % (size_t)width) + 0.5f) / (float)width;
-            float y = ((float)(i / (size_t)width) + 0.5f) / (float)height;
+            size_t row = i / (size_t)width;
+            float y = ((float)row + 0.5f) / (float)height;
             float high = any && most > least ? (most - storm_sample(storm, potential, x, y)) / (most - least) : 1;
             /* the border counts as ground in the transform: there the lattice alone tells */
             float edge = fminf(fminf(x, 1 - x) * (float)width, fminf(y, 1 - y) * (float)height) + 0.25f;

@@ -230,6 +230,16 @@ void storm_hide(struct storm *storm, int slot)
     }
 }
 
+static bool are_same(const struct bolt_segment *a, const struct bolt_segment *b)
+{
+    bool same = a->radius == b->radius && a->radius_from == b->radius_from && a->death == b->death &&
+                a->heat == b->heat && a->leaf == b->leaf;
+    for (int d = 0; d < 3; d++) {
+        same = same && a->from[d] == b->from[d] && a->to[d] == b->to[d];
+    }
+    return same;
+}
+
 void storm_dress(struct storm *storm, int slot)
 {
     const struct storm_bolt *bolt = &storm->bolts[slot];
@@ -250,7 +260,7 @@ void storm_dress(struct storm *storm, int slot)
         if (!bolt->complete && fabsf(segment.heat - shown->heat) <= KEEPS) {
             segment.heat = shown->heat;
         }
-        if (memcmp(shown, &segment, sizeof segment) != 0) {
+        if (!are_same(shown, &segment)) {
             *shown = segment;
             storm_touch(storm, node->segment);
         }

@@ -53,7 +53,7 @@ void storm_rinse(struct storm *storm, const struct action *action)
     if ((!action->has_at && action->path.count == 0) || storm->count == 0) {
         return;
     }
-    float *phases = calloc((size_t)(sheet.width * sheet.height), sizeof *phases);
+    float *phases = calloc((size_t)sheet.width * (size_t)sheet.height, sizeof *phases);
     if (!phases) {
         storm->failed = true;
         return;
