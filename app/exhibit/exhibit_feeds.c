@@ -100,11 +100,14 @@ static void check_coefficient(struct reader *reader, const struct yaml_node *ite
         float number = i == 1 ? feed->value : feed->to;
         if (wanted && !given) {
             exhibit_problem(reader, NAMES[i], item, "missing; %s",
-                            i == 0 ? "the name of a coefficient" : value_allowed(key, allowed, sizeof allowed));
+                            i == 0                          ? "the name of a coefficient"
+                            : yaml_get(item, "coefficient") ? value_allowed(key, allowed, sizeof allowed)
+                                                            : "a number, as of the coefficient");
         } else if (!wanted && given) {
             exhibit_problem(reader, NAMES[i], given, "of '%s'; as: coefficient, or no %s", graph_port_names[feed->as],
                             NAMES[i]);
-        } else if (wanted && i > 0 && !((double)number >= key->min && (double)number <= key->max)) {
+        } else if (wanted && i > 0 && yaml_get(item, "coefficient") &&
+                   !((double)number >= key->min && (double)number <= key->max)) {
             exhibit_problem(reader, NAMES[i], given, "%g is out of range; %s", (double)number,
                             value_allowed(key, allowed, sizeof allowed));
         }

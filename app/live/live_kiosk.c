@@ -97,6 +97,24 @@ static bool stage_stock(void *context, bool next, struct action *stock)
     return kiosk->pictures && live_pictures_stock(kiosk->pictures, next, stock);
 }
 
+static bool stage_inputs(void *context, int scene, struct action *actions, int *count)
+{
+    struct live_kiosk *kiosk = context;
+    return kiosk->graph && live_graph_actions(kiosk->graph, scene, actions, count);
+}
+
+static void stage_hand(void *context, int scene)
+{
+    struct live_kiosk *kiosk = context;
+    int width, height;
+    uint8_t *rgb = kiosk->graph ? live_picture_capture(kiosk->picture, &width, &height) : NULL;
+    if (rgb) {
+        live_scene_draw_reveal(kiosk->scene_draw, rgb, width, height);
+        live_graph_hand(kiosk->graph, scene, rgb, width, height);
+    }
+    free(rgb);
+}
+
 static void stage_status(void *context, char *lines, size_t size)
 {
     struct live_kiosk *kiosk = context;
@@ -196,7 +214,8 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                                   .resume = def->painting->scene >= 0,
                                   .scene = def->painting->scene,
                                   .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power,
-                                            stage_sheet, stage_guide, stage_status, stage_stock}};
+                                            stage_sheet, stage_guide, stage_status, stage_stock, stage_inputs,
+                                            stage_hand}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
     kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
     if (!kiosk->kiosk || !kiosk->watch) {
@@ -210,6 +229,10 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
     struct script_def pictures = script_default_def();
     pictures.load = pictures_load;
     kiosk->pictures = live_pictures_create(kiosk_shows(kiosk->kiosk), kiosk_scene(kiosk->kiosk), &pictures);
+    kiosk->graph = live_graph_create(&pictures);
+    if (kiosk->graph) {
+        live_graph_set(kiosk->graph, kiosk_shows(kiosk->kiosk));
+    }
     live_keep_scene(kiosk->painting, kiosk_scene(kiosk->kiosk));
     kiosk->other = true;
     return open_input(kiosk, kiosk_shows(kiosk->kiosk));
@@ -220,6 +243,7 @@ void live_kiosk_close(struct live_kiosk *kiosk)
 {
     live_overlay_finish(&kiosk->overlay);
     exhibit_watch_destroy(kiosk->watch);
+    live_graph_destroy(kiosk->graph); /* before the exhibit */
     kiosk_destroy(kiosk->kiosk);
     exhibit_destroy(kiosk->before);
     live_slides_close(&kiosk->slides);
@@ -255,8 +279,14 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
     live_kiosk_fit(exhibit, size.width, size.height);
     kiosk_trouble(kiosk->kiosk, NULL);
     bool same = same_hands(kiosk_shows(kiosk->kiosk), exhibit);
+    if (kiosk->graph) {
+        live_graph_set(kiosk->graph, exhibit);
+    }
     kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
     open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
+    if (kiosk->graph && kiosk_shows(kiosk->kiosk) != exhibit) { /* memory was short: it stays as it was */
+        live_graph_set(kiosk->graph, kiosk_shows(kiosk->kiosk));
+    }
     if (kiosk->pictures) {
         live_pictures_set(kiosk->pictures, kiosk_shows(kiosk->kiosk), kiosk_scene(kiosk->kiosk));
     }
@@ -405,7 +435,8 @@ bool live_kiosk_log(struct live_kiosk *kiosk, char *line, int size, enum log_lev
     }
     *level = LOG_LEVEL_NOTICE;
     if (kiosk->kiosk && (live_keep_log(kiosk->painting, line, size) || live_slides_log(&kiosk->slides, line, size) ||
-                         (kiosk->pictures && live_pictures_log(kiosk->pictures, line, size)))) {
+                         (kiosk->pictures && live_pictures_log(kiosk->pictures, line, size)) ||
+                         (kiosk->graph && live_graph_log(kiosk->graph, line, size)))) {
         return true;
     }
     return kiosk->gallery && size >= GALLERY_LINE && gallery_log(kiosk->gallery, line);

@@ -7,6 +7,7 @@
 #include "gallery.h"
 #include "kiosk.h"
 #include "live_clock.h"
+#include "live_graph.h"
 #include "live_input.h"
 #include "live_keep.h"
 #include "live_overlay.h"
@@ -42,6 +43,7 @@ struct live_kiosk {
     struct gallery *gallery;
     struct live_slides slides;
     struct live_pictures *pictures; /* of the exhibit's folder */
+    struct live_graph *graph;       /* what its scenes take from one another */
     struct live_status_def status;  /* the others, who are not ours */
     struct live_picture *picture;
     struct live_input *input;

@@ -104,6 +104,44 @@ static struct kiosk_sheet sheet_of(const struct kiosk *kiosk)
     return kiosk->def.stage.sheet(kiosk->def.stage.context);
 }
 
+/* What it takes from other scenes, if that is ready. */
+static void lay_inputs(struct kiosk *kiosk, const struct exhibit_scene *scene)
+{
+    const struct kiosk_stage *stage = &kiosk->def.stage;
+    struct action actions[EXHIBIT_FEEDS];
+    int count = 0;
+    if (scene->feed_count > 0 && stage->inputs && stage->inputs(stage->context, kiosk->scene, actions, &count)) {
+        for (int i = 0; i < count; i++) {
+            kiosk_post(kiosk, &actions[i], 0);
+        }
+    }
+}
+
+/* The scene is about to be washed away, or to change: others may take what there is of it. */
+static void hand_over(struct kiosk *kiosk)
+{
+    const struct kiosk_stage *stage = &kiosk->def.stage;
+    bool taken = false;
+    for (int i = 0; i < kiosk->exhibit->scene_count; i++) {
+        const struct exhibit_scene *scene = &kiosk->exhibit->scenes[i];
+        for (int k = 0; k < scene->feed_count; k++) {
+            taken = taken || scene->feeds[k].from == kiosk->scene;
+        }
+    }
+    if (taken && stage->hand) {
+        stage->hand(stage->context, kiosk->scene);
+    }
+}
+
+/* Whether attract may show a scene: all that it takes is ready. */
+static bool is_ready(const struct kiosk *kiosk, int scene)
+{
+    const struct kiosk_stage *stage = &kiosk->def.stage;
+    int count;
+    return kiosk->exhibit->scenes[scene].feed_count == 0 || !stage->inputs ||
+           stage->inputs(stage->context, scene, NULL, &count);
+}
+
 /* What a scene has on every fresh sheet: a picture to grow over, what is set in it; a guide, a mask, its opening. */
 static void lay_ground(struct kiosk *kiosk)
 {
@@ -114,7 +152,11 @@ static void lay_ground(struct kiosk *kiosk)
     kiosk->grounded = true;
     kiosk_lay_garden(kiosk);
     kiosk_lay_options(kiosk);
-    for (int i = 0; i < scene->ground_count; i++) {
+    for (int i = 0; i < scene->opening; i++) {
+        kiosk_post(kiosk, &scene->ground[i], 0);
+    }
+    lay_inputs(kiosk, scene);
+    for (int i = scene->opening; i < scene->ground_count; i++) {
         kiosk_post(kiosk, &scene->ground[i], 0);
     }
 }
@@ -146,12 +188,17 @@ static void show_scene(struct kiosk *kiosk, int scene)
 
 static void next_scene(struct kiosk *kiosk)
 {
-    show_scene(kiosk, (kiosk->scene + 1) % kiosk->exhibit->scene_count);
+    int count = kiosk->exhibit->scene_count, next = (kiosk->scene + 1) % count;
+    for (int i = 0; i < count && kiosk->attracting && !is_ready(kiosk, next); i++) {
+        next = (next + 1) % count;
+    }
+    show_scene(kiosk, next);
 }
 
 static void begin_wash(struct kiosk *kiosk)
 {
     struct kiosk_sheet sheet = sheet_of(kiosk);
+    hand_over(kiosk);
     kiosk->washing = true;
     wash_begin(&kiosk->wash, sheet.tick, kiosk->exhibit->visit.wash, kiosk->exhibit->sheet.rate,
                (uint32_t)sheet.number);
@@ -196,6 +243,7 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t 
         kiosk->lines_us = 0;
         break;
     case ORDER_SCENE:
+        hand_over(kiosk);
         next_scene(kiosk);
         break;
     case ORDER_WELCOME:

@@ -46,6 +46,11 @@ struct kiosk_stage {
     /* A picture to grow over, in a scene of trees (ACTION_STOCK): the one that it grows over, or the next; its raster
      * is good until some more have been given. False: it is not read yet, or there is none. May be NULL. */
     bool (*stock)(void *context, bool next, struct action *stock);
+    /* What scene `scene` takes from others, as actions on a fresh sheet, EXHIBIT_FEEDS at most; their rasters are good
+     * until some more have been given. False: not all is ready yet. `actions` NULL: only asks. May be NULL. */
+    bool (*inputs)(void *context, int scene, struct action *actions, int *count);
+    /* What is to be seen on the sheet now is what scene `scene` has come to, which others take. May be NULL. */
+    void (*hand)(void *context, int scene);
 };
 
 struct kiosk_def {

@@ -136,7 +136,7 @@ static void show_strokes(struct show *show)
 
 static void show_text(struct show *show)
 {
-    const struct script_text text = {.words = "FROND", .width = 0.92f, .height = 0.8f};
+    const struct script_text text = {.words = "FROND", .width = 0.92f, .height = 0.8f, .line = 8};
     struct action action = action_default(ACTION_DOSE);
     begin(show);
     preset(show, "worms", "ember");
@@ -151,7 +151,7 @@ static void show_text(struct show *show)
     for (int i = 0; i < CELLS; i++) {
         dark += 1 - (double)show->raster[i];
     }
-    figure_check(show->figure, dark / CELLS > 0.05 && dark / CELLS < 0.4, "words cover %.0f %%", 100 * dark / CELLS);
+    figure_check(show->figure, dark / CELLS > 0.03 && dark / CELLS < 0.4, "words cover %.0f %%", 100 * dark / CELLS);
     sheet_add(show->sheet, show->rgb, "dose: {text: FROND}, preset worms");
 }
 

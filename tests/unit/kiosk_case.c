@@ -83,6 +83,28 @@ static struct kiosk_sheet sheet(void *context)
     return ((struct hall *)context)->sheet;
 }
 
+/* One mask for all. */
+static bool inputs(void *context, int scene, struct action *actions, int *count)
+{
+    static const float HALF = 0.5f;
+    struct hall *hall = context;
+    (void)scene;
+    *count = 0;
+    if (actions && !hall->unready) {
+        actions[(*count)++] = action_default(ACTION_MASK);
+        actions[0].picture = (struct action_raster){&HALF, 1, 1, 1};
+        hall->taken++;
+    }
+    return !hall->unready;
+}
+
+static void hand(void *context, int scene)
+{
+    struct hall *hall = context;
+    hall->handed++;
+    hall->hands = scene;
+}
+
 struct exhibit *hall_exhibit(const char *yaml)
 {
     struct script_def def = script_default_def();
@@ -130,7 +152,7 @@ static struct hall *open_hall(const char *yaml, int width, int height, bool resu
                             .seed = 1,
                             .built = 1700000000,
                             .resume = resume,
-                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL, NULL, stock}};
+                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL, NULL, stock, inputs, hand}};
     hall->kiosk = kiosk_create(&def, hall->now_us);
     assert_non_null(hall->kiosk);
     kiosk_controls(hall->kiosk, hall->controls);
