@@ -1,5 +1,5 @@
-/* What comes, and what goes over it. What goes waits until the other is there to be seen through it, so that the painting
- * below does not flash. */
+/* What comes, and what goes over it. What goes waits until the other is there to be seen through it, so that the
+ * painting below does not flash. */
 #ifndef FROND_LIVE_FADE_H
 #define FROND_LIVE_FADE_H
 

@@ -63,12 +63,17 @@ static void look_at_storm(struct live_scene *live, struct live_view *view, struc
     view->bolts.segments = store->segments;
 }
 
+static bool same(float a, float b)
+{
+    return !(a < b) && !(a > b);
+}
+
 /* A gradient that is the dish's own is another only after something was done. */
 static bool same_look(const struct gray_scott_shade_def *a, const struct gray_scott_shade_def *b)
 {
-    return a->gradient.stops == b->gradient.stops && a->gradient.count == b->gradient.count &&
-           memcmp(&a->low, &b->low, sizeof a->low) == 0 && memcmp(&a->high, &b->high, sizeof a->high) == 0 &&
-           memcmp(&a->relief, &b->relief, sizeof a->relief) == 0 && memcmp(a->light, b->light, sizeof a->light) == 0;
+    return a->gradient.stops == b->gradient.stops && a->gradient.count == b->gradient.count && same(a->low, b->low) &&
+           same(a->high, b->high) && same(a->relief, b->relief) && same(a->light[0], b->light[0]) &&
+           same(a->light[1], b->light[1]) && same(a->light[2], b->light[2]);
 }
 
 /* The gradient may be the dish's own, and the display shows it later. */
