@@ -32,9 +32,9 @@ static const char EXHIBIT[] = "exhibit: 1\nsheet: {cells: 90000}\nscenes:\n"
                                                "  - {id: seeds, kind: chemistry, chemistry: {preset: worms_and_spots, "
                                                "start: nothing}, inputs: [{from: cracks, as: "
                                                "seeds, tick: 150}]}\n"
-                                               "  - {id: style, kind: chemistry, chemistry: {preset: maze, start: "
-                                               "noise}, inputs: [{from: obstacles, as: style, "
-                                               "tick: 500}, {from: cracks, of: along, as: orientation, tick: 150}]}\n";
+                                               "  - {id: style, kind: chemistry, chemistry: {preset: fingerprint}, "
+                                               "inputs: [{from: guide, as: style, tick: 500}, "
+                                               "{from: cracks, of: along, as: orientation, tick: 150}]}\n";
 
 struct composition {
     struct figure *figure;
