@@ -217,12 +217,11 @@ static void set_eye(const struct bolt_light_gpu *light, const struct bolt_view *
     const struct bolt_target *samples = &light->targets.samples;
     struct bolt_eye eye = bolt_eye(view, samples->width, samples->height);
     const struct bolt_look *look = &view->look;
-    float tips = fmaxf(look->tip, 0), trunk = fmaxf(look->trunk, tips + 1e-3f);
     glUniform4f(AT_TURN, eye.turn[0], eye.turn[1], eye.tilt[0], eye.tilt[1]);
     glUniform4f(AT_EYE, eye.middle[0], eye.middle[1], eye.away, eye.depth);
     glUniform4f(AT_SCALE, eye.scale[0], eye.scale[1], eye.scale[2], eye.depth / eye.scale[2]);
     glUniform4f(AT_LIFE, age, bolt_rise(look), bolt_fade(look), (float)light->targets.style);
-    glUniform4f(AT_LOOK, trunk, tips, 0, 0);
+    glUniform4f(AT_LOOK, look->trunk, look->tip, 0, 0);
     glUniform2f(AT_SIZE, (float)samples->width, (float)samples->height);
 }
 
@@ -252,8 +251,7 @@ static void draw_samples(const struct bolt_light_gpu *light, const struct bolt_v
     }
     draw_blocks(light, age, false, false);
     if (draw_blocks(light, age, true, true)) {
-        float tips = fmaxf(view->look.tip, 0);
-        glUniform4f(AT_LOOK, fmaxf(view->look.trunk, tips + 1e-3f), tips, 1, 0);
+        glUniform4f(AT_LOOK, view->look.trunk, view->look.tip, 1, 0);
         draw_blocks(light, age, true, false);
     }
     glBindVertexArray(0);
@@ -312,7 +310,7 @@ static void paint(const struct bolt_light_gpu *light, const struct bolt_view *vi
     glUniform2i(AT_PANEL, width, height);
     glUniformMatrix2fv(AT_PANEL_TURN, 1, GL_FALSE, turn);
     glUniform4f(AT_COLOUR, look->colour[0], look->colour[1], look->colour[2], view->clear ? 1 : 0);
-    glUniform4f(AT_CORE, look->core[0], look->core[1], look->core[2], fminf(fmaxf(view->flash, 0), 1));
+    glUniform4f(AT_CORE, look->core[0], look->core[1], look->core[2], view->flash);
     glUniform4f(AT_GROUND, look->ground[0], look->ground[1], look->ground[2], 0);
     glUniform1f(AT_OPACITY, opacity);
     take(0, targets->samples.texture);
@@ -340,11 +338,12 @@ static int samples_of(float scale, int pixels)
     return samples > 1 ? samples : 1;
 }
 
-bool bolt_light_gpu_present(struct bolt_light_gpu *light, const struct bolt_view *view, double tick,
+bool bolt_light_gpu_present(struct bolt_light_gpu *light, const struct bolt_view *given, double tick,
                             unsigned framebuffer, int panel_width, int panel_height, const float turn[4])
 {
     bool turned = turn[1] * turn[1] > 0.25f; /* by a quarter */
-    int style = view->look.style > 0 && view->look.style < BOLT_STYLES ? view->look.style : BOLT_GLOW;
+    const struct bolt_view sound = bolt_view_sound(given), *view = &sound;
+    int style = view->look.style;
     float age = bolt_age(view, tick);
     if (view->clear && !(view->flash > 0) && !draw_blocks(light, age, false, true)) {
         return true;

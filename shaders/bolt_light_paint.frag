@@ -76,7 +76,7 @@ void main()
     float halo = level_between(sums, 0.5 * place).x;
     vec3 tint = mix(colour.rgb, core.rgb, clamp(1.6 * own.x - 0.2, 0.0, 1.0));
     vec3 light = shoulder(5.0 * own.x * tint + halo * (11.0 * colour.rgb + 8.0 * halo * core.rgb));
-    vec3 over = encoded(1.0 - (1.0 - (clear ? vec3(0.0) : clamp(ground.rgb, 0.0, 1.0))) * (1.0 - light));
+    vec3 over = encoded(1.0 - (1.0 - (clear ? vec3(0.0) : ground.rgb)) * (1.0 - light));
     result = opacity * vec4(over + flash * (1.0 - over), 1.0); // a screen, where there is no ground
 #else
 #if STYLE == 1

@@ -199,8 +199,8 @@ static const struct key STRIKE[] = {
 static const struct key ATTRACT[] = {
     AT(false, "Where the visitor's hand lies; it is lifted if left out, with a path, too."),
     PATH(false),
-    NUMBER(amount, "charges of a particle", -1000, 1000, 100,
-           "How strongly; below 0 it repels. Along a path: each cell of it, and it stays."),
+    NUMBER(amount, "particles of 500", -1000, 1000, 100,
+           "How strongly, to a bolt of 500; below 0 it repels. Along a path: each cell of it, and it stays."),
     END,
 };
 static const struct key CONDUCT[] = {

@@ -72,9 +72,9 @@ static const struct growing GROWINGS[BOLT_KINDS] = {
     [BOLT_TREE] = {3, 13000, 80, 6.5f, -1, 0.9f, 0, true},
     [BOLT_LICHEN] = {2, 22000, 230, 2, -1, 0.9f, 0, true},
     [BOLT_CORAL] = {3, 2400, 46, 9, -1, 0.9f, 0, true},
-    [BOLT_RIVER] = {2, 14000, 210, 5, -1, 0.9f, 0, true},
+    [BOLT_RIVER] = {2, 13000, 230, 4.5f, -1, 0.9f, 0, true},
     [BOLT_SNOW] = {2, 16000, 360, 2, -1, 0.9f, 0, true},
-    [BOLT_FRACTURE] = {2, 1900, 260, 6, -1, 0.9f, 0, true},
+    [BOLT_FRACTURE] = {2, 2200, 190, 5, -1, 0.9f, 0, true},
     [BOLT_VESSELS] = {2, 20000, 300, 4, -1, 0.9f, 0, true},
     [BOLT_CITY] = {2, 7000, 110, 1.2f, -1, 0, 0, false},
     [BOLT_LICHTENBERG] = {2, 40000, 420, 3.5f, -1, 0.9f, 0.48f, true},
@@ -236,15 +236,19 @@ static void set_coral(struct bolt *bolt, const struct room *room)
 
 static void set_river(struct bolt *bolt, const struct room *room)
 {
-    static const float BENDS[6] = {0.12f, 0.0f, -0.1f, 0.02f, 0.06f, 0};
-    for (int i = 0; i < 5; i++) {
-        float y = (-1.1f + 0.13f * (float)i) * room->y, next = (-1.1f + 0.13f * (float)(i + 1)) * room->y;
+    static const float BENDS[7] = {0.16f, 0.02f, -0.08f, -0.09f, 0.0f, 0.06f, 0.02f};
+    for (int i = 0; i < 6; i++) {
+        float y = (-1.1f + 0.1f * (float)i) * room->y, next = (-1.1f + 0.1f * (float)(i + 1)) * room->y;
         add_seed(bolt, BENDS[i] * room->x, y, BENDS[i + 1] * room->x, next);
         add_charge(bolt, LAPLACIAN_POINT, -900, (BENDS[i] - 0.15f) * room->x, y);
         add_charge(bolt, LAPLACIAN_POINT, -900, (BENDS[i] + 0.15f) * room->x, y);
     }
-    add_charge(bolt, LAPLACIAN_POINT, 60000, 0, 3 * room->y);
-    add_charge(bolt, LAPLACIAN_PLANE, 100, 0, 0.86f * room->y)->ends = true;
+    enum { SHORE = 24 }; /* an arm that is ahead waits there for the others */
+    for (int i = 0; i < SHORE; i++) {
+        float x = 2.2f * ((float)i + 0.5f) / SHORE - 1.1f;
+        add_charge(bolt, LAPLACIAN_POINT, -700, x * room->x, (1.05f - 0.3f * x * x) * room->y);
+    }
+    add_charge(bolt, LAPLACIAN_POINT, 30000, 0, 3 * room->y);
 }
 
 /* Arms with twigs at 60 degrees, of no two the same length; the growth does the rest. */
@@ -284,18 +288,18 @@ static void set_fracture(struct bolt *bolt, const struct room *room)
             if (k > 0) {
                 add_seed(bolt, knots[i][k - 1][0], knots[i][k - 1][1], knots[i][k][0], knots[i][k][1]);
             }
-            far += (k == 0 ? 0.08f : 0.17f) * room->side * (0.7f + 0.6f * chance(i, 30 + k));
+            far += (k == 0 ? 0.07f : 0.15f) * room->side * (0.7f + 0.6f * chance(i, 30 + k));
         }
     }
     for (int i = 0; i < RAYS; i++) {
         float(*next)[2] = knots[(i + 1) % RAYS];
         for (int k = 1; k < 3; k++) {
-            if (chance(i, 40 + k) < (k == 1 ? 0.9f : 0.45f)) {
+            if (chance(i, 40 + k) < (k == 1 ? 0.9f : 0.4f)) {
                 add_seed(bolt, knots[i][k][0], knots[i][k][1], next[k][0], next[k][1]);
             }
         }
     }
-    add_ring(bolt, 40, -60, 1.3f * room->x, 1.3f * room->y);
+    add_ring(bolt, 4, -60, 1.3f * room->x, 1.3f * room->y);
 }
 
 static void set_vessels(struct bolt *bolt, const struct room *room)

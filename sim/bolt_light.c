@@ -55,7 +55,8 @@ static void paint(const struct bolt_view *view, const struct bolt_samples *sampl
 
 bool bolt_light_lay(const struct bolt_view *view, double tick, int width, int height, uint8_t *rgb)
 {
-    int style = view->look.style > 0 && view->look.style < BOLT_STYLES ? view->look.style : BOLT_GLOW;
+    struct bolt_view sound = bolt_view_sound(view);
+    int style = sound.look.style;
     int super = style == BOLT_BODY ? BOLT_SUPER : 1;
     struct bolt_samples samples = {0};
     struct bolt_chain chain = {0};
@@ -64,11 +65,11 @@ bool bolt_light_lay(const struct bolt_view *view, double tick, int width, int he
     }
     bool good = make_samples(&samples, style, super * width, super * height);
     if (good) {
-        draw(view, tick, &samples);
+        draw(&sound, tick, &samples);
         good = style == BOLT_LINE || bolt_chain_make(&chain, &samples);
     }
     if (good) {
-        paint(view, &samples, &chain, width, height, rgb);
+        paint(&sound, &samples, &chain, width, height, rgb);
     }
     bolt_chain_finish(&chain);
     finish_samples(&samples);

@@ -75,7 +75,7 @@ static bool halve(const struct bolt_chain *chain, int level, float *const *of)
 {
     int width = chain->width[level], height = chain->height[level];
     int half_width = chain->width[level + 1], half_height = chain->height[level + 1];
-    float *rows = malloc((size_t)half_width * (size_t)height * sizeof *rows);
+    float *rows = calloc((size_t)half_width * (size_t)height, sizeof *rows);
     for (int y = 0; y < height && rows; y++) {
         halve_line(of[level] + (size_t)y * (size_t)width, width, 1, rows + (size_t)y * (size_t)half_width, half_width,
                    1);

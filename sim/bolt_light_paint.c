@@ -21,17 +21,12 @@ static float encode(const struct bolt_paint *paint, float linear)
     return paint->encoded[(int)(BOLT_ENCODED * sqrtf(clamp(linear, 0, 1)) + 0.5f)];
 }
 
-static float flash_of(const struct bolt_view *view)
-{
-    return clamp(view->flash, 0, 1);
-}
-
 /* Colour `own`, 0..255 and multiplied by `cover`, over what is there or, where the ground hides that, over the ground;
  * `own` is linear where it lies on the ground. */
 static void cover_pixel(const struct bolt_paint *paint, const float own[3], float cover, uint8_t *rgb)
 {
     const struct bolt_view *view = paint->view;
-    float flash = flash_of(view);
+    float flash = view->flash;
     for (int c = 0; c < 3; c++) {
         float under = view->clear ? (float)rgb[c] : encode(paint, view->look.ground[c]);
         float over = own[c] + (1 - cover) * under;
@@ -44,7 +39,7 @@ void bolt_paint_light(const struct bolt_paint *paint, int y, uint8_t *rgb)
     const struct bolt_view *view = paint->view;
     const struct bolt_look *look = &view->look;
     const struct bolt_sample *row = paint->samples->samples + (size_t)y * (size_t)paint->width;
-    float flash = flash_of(view);
+    float flash = view->flash;
     for (int x = 0; x < paint->width; x++) {
         float halo, root = (float)row[x].part[0] / 255, light = root * root, hot = clamp(1.6f * light - 0.2f, 0, 1);
         bolt_chain_at(paint->chain, (float)x + 0.5f, (float)y + 0.5f, &halo, NULL);
@@ -52,7 +47,7 @@ void bolt_paint_light(const struct bolt_paint *paint, int y, uint8_t *rgb)
             float tint = look->colour[c] + hot * (look->core[c] - look->colour[c]);
             float sum = 5 * light * tint + halo * (11 * look->colour[c] + 8 * halo * look->core[c]);
             float own = shoulder(sum);
-            float ground = view->clear ? 0 : clamp(look->ground[c], 0, 1);
+            float ground = view->clear ? 0 : look->ground[c];
             float over = encode(paint, 1 - (1 - ground) * (1 - own));
             over += flash * (255 - over);
             if (view->clear) {

@@ -41,19 +41,29 @@ struct bolt_eye bolt_eye(const struct bolt_view *view, int width, int height)
                              .depth = 1 / (DEPTH * longer)};
 }
 
+struct bolt_view bolt_view_sound(const struct bolt_view *view)
+{
+    struct bolt_view sound = *view;
+    for (int c = 0; c < 3; c++) {
+        sound.look.colour[c] = clamp(view->look.colour[c], 0, 1);
+        sound.look.core[c] = clamp(view->look.core[c], 0, 1);
+        sound.look.ground[c] = clamp(view->look.ground[c], 0, 1);
+    }
+    sound.look.style = view->look.style > 0 && view->look.style < BOLT_STYLES ? view->look.style : BOLT_GLOW;
+    sound.look.tip = clamp(view->look.tip, 0, BOLT_FAR);
+    sound.look.trunk = fmaxf(clamp(view->look.trunk, 0, BOLT_FAR), sound.look.tip + 1e-3f);
+    sound.flash = clamp(view->flash, 0, 1);
+    return sound;
+}
+
 float bolt_age(const struct bolt_view *view, double tick)
 {
     return (float)clamp((float)(tick - (double)view->tick), -1e9f, 1e9f);
 }
 
-static int style_of(const struct bolt_look *look)
-{
-    return look->style > 0 && look->style < BOLT_STYLES ? look->style : BOLT_GLOW;
-}
-
 float bolt_rise(const struct bolt_look *look)
 {
-    return RISE[style_of(look)];
+    return RISE[look->style];
 }
 
 float bolt_fade(const struct bolt_look *look)
@@ -202,7 +212,7 @@ int bolt_strokes(const struct bolt_view *view, const struct bolt_eye *eye, float
                  const struct bolt_segment *segment, struct bolt_stroke strokes[2])
 {
     const struct bolt_look *look = &view->look;
-    int style = style_of(look), count = 0;
+    int style = look->style, count = 0;
     float grown = eased(clamp((age - segment->birth) / bolt_rise(look), 0, 1)), left = 1;
     if (segment->death < FLT_MAX) {
         float fade = fmaxf(fminf(bolt_fade(look), segment->death - segment->birth), 1);
@@ -213,9 +223,8 @@ int bolt_strokes(const struct bolt_view *view, const struct bolt_eye *eye, float
         return 0;
     }
     float size = style == BOLT_BODY ? grown * left : style == BOLT_LINE ? 0.4f + 0.6f * grown : 0.7f + 0.3f * left;
-    float tips = fmaxf(look->tip, 0), trunk = fmaxf(look->trunk, tips + 1e-3f);
     struct bolt_stroke stroke = {.strength = style == BOLT_BODY ? segment->heat : segment->heat * grown * left};
-    float slender = clamp((trunk - segment->radius) / (trunk - tips), 0, 1);
+    float slender = clamp((look->trunk - segment->radius) / (look->trunk - look->tip), 0, 1);
     stroke.tone = slender * slender * slender;
     strokes[count] = stroke;
     if (stroke_of(eye, segment->from, segment->to, size * segment->radius_from, size * segment->radius,

@@ -23,6 +23,9 @@ struct bolt_eye bolt_eye(const struct bolt_view *view, int width, int height); /
 /* Of a segment, what can be drawn; false when nothing of it can be. */
 bool bolt_sound(const struct bolt_segment *segment, struct bolt_segment *sound);
 
+/* With a style that there is, colours and flash 0..1, a trunk thicker than the tips: what all below wants. */
+struct bolt_view bolt_view_sound(const struct bolt_view *view);
+
 /* Ticks since view->tick as the pictures take them. */
 float bolt_age(const struct bolt_view *view, double tick);
 /* Ticks in which a segment comes up, and at the most those in which it fades, by look. */

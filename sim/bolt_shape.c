@@ -126,20 +126,19 @@ int32_t bolt_shape_seed_before(const struct laplacian *laplacian, int32_t i)
     return found;
 }
 
-bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian, const struct bolt_look *look,
-                     const struct bolt_sight *sight)
+bool bolt_shape_of(struct bolt_shape *shape, const struct laplacian_node *nodes, int32_t count, int32_t end,
+                   const struct bolt_look *look, const struct bolt_sight *sight)
 {
-    int32_t count = laplacian_count(laplacian), farthest = 0;
+    int32_t farthest = 0;
     *shape = (struct bolt_shape){.nodes = calloc((size_t)count, sizeof *shape->nodes), .count = count};
     if (!shape->nodes) {
         shape->count = 0;
         return false;
     }
     for (int32_t i = 0; i < count; i++) {
-        struct laplacian_node from = laplacian_node(laplacian, i);
         struct bolt_node *node = &shape->nodes[i];
-        place(node, &from, sight);
-        node->parent = from.parent >= 0 ? from.parent : bolt_shape_seed_before(laplacian, i);
+        place(node, &nodes[i], sight);
+        node->parent = nodes[i].parent;
         node->heaviest = -1;
         node->steps = node->parent >= 0 ? shape->nodes[node->parent].steps + 1 : 0;
         farthest = node->steps > shape->nodes[farthest].steps ? i : farthest;
@@ -147,8 +146,26 @@ bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian
     shape->longest = shape->nodes[farthest].steps;
     count_tips(shape);
     widen(shape, look);
-    heat(shape, laplacian_status(laplacian) == LAPLACIAN_HIT ? count - 1 : farthest, look->style);
+    heat(shape, end >= 0 ? end : farthest, look->style);
     return even_out(shape, look->smooth);
+}
+
+bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian, const struct bolt_look *look,
+                     const struct bolt_sight *sight)
+{
+    int32_t count = laplacian_count(laplacian);
+    struct laplacian_node *nodes = malloc((size_t)count * sizeof *nodes);
+    *shape = (struct bolt_shape){0};
+    for (int32_t i = 0; i < count && nodes; i++) {
+        nodes[i] = laplacian_node(laplacian, i);
+        if (nodes[i].parent < 0) {
+            nodes[i].parent = bolt_shape_seed_before(laplacian, i);
+        }
+    }
+    int32_t end = laplacian_status(laplacian) == LAPLACIAN_HIT ? count - 1 : -1;
+    bool good = nodes && bolt_shape_of(shape, nodes, count, end, look, sight);
+    free(nodes);
+    return good;
 }
 
 bool bolt_shape_begins(const struct bolt_shape *shape, int32_t node)

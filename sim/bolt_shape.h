@@ -39,6 +39,10 @@ struct bolt_sight bolt_sight_of(const struct bolt *bolt, int width, int height);
 /* The whole of a growth as of now; cost: linear. False when memory is short. Finish it in any case. */
 bool bolt_shape_make(struct bolt_shape *shape, const struct laplacian *laplacian, const struct bolt_look *look,
                      const struct bolt_sight *sight);
+/* The same of nodes from elsewhere (lsystem_laplacian_node), parents before children; `end`: the node that has struck,
+ * or -1. */
+bool bolt_shape_of(struct bolt_shape *shape, const struct laplacian_node *nodes, int32_t count, int32_t end,
+                   const struct bolt_look *look, const struct bolt_sight *sight);
 void bolt_shape_finish(struct bolt_shape *shape); /* takes zeroed */
 
 /* Whether a branch begins at a fork or a seed with this node: it goes on from the node's parent to the node, then from

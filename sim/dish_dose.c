@@ -9,6 +9,7 @@
  * not fade. Where a large place is filled, u runs out and all of it can die: within RIM cells of its edge it is filled,
  * farther in there are drops. */
 static const struct gray_scott_state DOSED = {0.4f, 0.5f};
+#define THICK  8.0f /* cells: RIM of what is no stroke, so that letters stay whole */
 #define EDGE   2.0f /* cells over which it fades */
 #define RIM    3.0f
 #define APART  13.0f /* cells from drop to drop, about */
@@ -104,7 +105,7 @@ static bool in_midst(const struct laying *laying, int x, int y)
 
 static bool is_broad(const struct laying *laying, int x, int y)
 {
-    int far = 3 * laying->rim;
+    int far = 2 * laying->rim;
     return (covers(laying, x - far, y) || covers(laying, x + far, y)) &&
            (covers(laying, x, y - far) || covers(laying, x, y + far));
 }
@@ -135,6 +136,7 @@ static float laid(void *context, int x, int y)
 void dish_dose(struct dish *dish, const struct action *action)
 {
     const struct action_path disc = {&action->at, 1}, *path = action->path.count > 0 ? &action->path : &disc;
+    bool raster = action->path.count == 0 && (action->formula.values || action->picture.values);
     float size = dish->def.reaction.size, cell = (float)dish->width / (float)gray_scott_width(dish->chemistry);
     struct laying laying = {.dish = dish,
                             .path = path,
@@ -142,9 +144,8 @@ void dish_dose(struct dish *dish, const struct action *action)
                             .formula = action->formula.values,
                             .radius = action->radius,
                             .strength = action->strength,
-                            .rim = (int)(RIM * size + 0.5f),
+                            .rim = (int)((raster ? THICK : RIM) * size + 0.5f),
                             .apart = action->invert ? 0 : APART * size};
-    bool raster = action->path.count == 0 && laying.raster->values;
     if ((action->invert && dish->fresh) || (!raster && action->path.count == 0 && !action->has_at)) {
         return;
     }

@@ -57,16 +57,20 @@ bool dish_map_hopf(float kill, float *feed)
     return inside >= 0;
 }
 
-/* Bilinear; classes are mixed as colours. */
+/* Classes are mixed as colours: quadratic splines, which show no squares. */
 static void colour_at(struct point at, float colour[3])
 {
-    float x = at.x * DISH_MAP_COLUMNS - 0.5f, y = at.y * DISH_MAP_ROWS - 0.5f, fx = floorf(x), fy = floorf(y);
+    float x = at.x * DISH_MAP_COLUMNS, y = at.y * DISH_MAP_ROWS, fx = floorf(x), fy = floorf(y);
+    float right = x - fx - 0.5f, down = y - fy - 0.5f; /* from the middle of the nearest */
+    const float across[3] = {0.5f * (0.5f - right) * (0.5f - right), 0.75f - right * right,
+                             0.5f * (0.5f + right) * (0.5f + right)};
+    const float along[3] = {0.5f * (0.5f - down) * (0.5f - down), 0.75f - down * down,
+                            0.5f * (0.5f + down) * (0.5f + down)};
     colour[0] = colour[1] = colour[2] = 0;
-    for (int i = 0; i < 4; i++) {
-        float share = (i % 2 ? x - fx : 1 - x + fx) * (i / 2 ? y - fy : 1 - y + fy);
-        const uint8_t *own = dish_map_colours[class_of((int)fx + i % 2, (int)fy + i / 2)];
+    for (int i = 0; i < 9; i++) {
+        const uint8_t *own = dish_map_colours[class_of((int)fx + i % 3 - 1, (int)fy + i / 3 - 1)];
         for (int c = 0; c < 3; c++) {
-            colour[c] += share * (float)own[c];
+            colour[c] += across[i % 3] * along[i / 3] * (float)own[c];
         }
     }
 }

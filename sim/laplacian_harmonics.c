@@ -73,8 +73,22 @@ static void basis_of(const struct laplacian_harmonics *harmonics, double x, doub
     }
 }
 
+/* What a row counts, all rows together 2: Fejer's rule, which is exact for all harmonics below degree `rows`. The area
+ * between two circles of latitude is so for degree 0 alone. */
+static double weight_of_row(int row, int rows)
+{
+    double sum = 1;
+    for (int k = 1; k <= rows / 2; k++) {
+        double ignored, cosine, turns = (2 * row + 1.0) * k / (2.0 * rows);
+        turn(turns - floor(turns), &ignored, &cosine);
+        sum -= 2 * cosine / (4.0 * k * k - 1);
+    }
+    return 2 * sum / rows;
+}
+
+/* area: of a cell on the sphere. */
 static void add_cell(struct laplacian_harmonics *harmonics, const struct action_raster *environment, int row,
-                     int column)
+                     int column, double area)
 {
     double basis[LAPLACIAN_COEFFICIENTS] = {0}, sine, cosine, polar_sine, polar_cosine;
     double value = (double)environment->values[row * environment->width + column];
@@ -87,12 +101,7 @@ static void add_cell(struct laplacian_harmonics *harmonics, const struct action_
         }
         return;
     }
-    /* The area of a cell on the sphere, between two circles of latitude. */
-    double ignored, above, below;
     turn((row + 0.5) / environment->height / 2, &polar_sine, &polar_cosine);
-    turn((double)row / environment->height / 2, &ignored, &above);
-    turn((row + 1.0) / environment->height / 2, &ignored, &below);
-    double area = (above - below) * 2 * PI / environment->width;
     basis_of(harmonics, polar_sine * cosine, -polar_cosine, polar_sine * sine, basis);
     for (int i = 0; i < coefficient_count(harmonics); i++) {
         harmonics->coefficients[i] += value * basis[i] * area;
@@ -161,8 +170,9 @@ void laplacian_harmonics_project(struct laplacian_harmonics *harmonics, int dime
 {
     *harmonics = (struct laplacian_harmonics){.dimensions = dimensions, .degree = degree, .radius = radius};
     for (int row = 0; row < environment->height; row++) {
+        double area = weight_of_row(row, environment->height) * 2 * PI / environment->width;
         for (int column = 0; column < environment->width; column++) {
-            add_cell(harmonics, environment, row, column);
+            add_cell(harmonics, environment, row, column, area);
         }
     }
     find_most(harmonics);

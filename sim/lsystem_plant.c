@@ -174,7 +174,8 @@ void lsystem_plant_preset(struct lsystem_plant *plant, enum lsystem_kind kind, i
     plant->growth.seeds = plant->seeds;
     plant->look.style = BOLT_BODY;
     plant->look.tip = plant->growth.tip;
-    plant->look.trunk = 9 * scale;
+    plant->look.trunk = (kind == LSYSTEM_VINE ? 5.5f : 9) * scale;
+    plant->look.smooth = 1;
     plant->look.pipe = plant->growth.pipe;
     for (int c = 0; c < 3; c++) {
         plant->look.colour[c] = COLOURS[kind][0][c];

@@ -11,6 +11,7 @@ struct storm *storm_create(int width, int height)
     struct storm *storm = calloc(1, sizeof *storm);
     if (storm) {
         storm->def = storm_preset(BOLT_LIGHTNING);
+        storm->most = STORM_PARTICLES;
         storm->width = width > 1 ? width : 1;
         storm->height = height > 1 ? height : 1;
         if (!storm_lattice_init(storm)) {
@@ -167,8 +168,8 @@ bool storm_is_calm(const struct storm *storm, int64_t tick)
     bool calm = true, deep = false;
     for (int slot = 0; slot < STORM_SLOTS; slot++) {
         const struct storm_bolt *bolt = &storm->bolts[slot];
-        bool fades = bolt->lives && bolt->gone < STORM_AGES;
-        calm = calm && !storm_bolt_grows(bolt) && !fades;
+        bool fades = bolt->lives && bolt->gone < STORM_AGES, swells = bolt->complete && tick < bolt->swells;
+        calm = calm && !storm_bolt_grows(bolt) && !fades && !swells;
         deep = deep || bolt->lives;
     }
     bool turns = deep && storm->def.dimensions == 3 && storm->def.turn != 0;
@@ -236,6 +237,11 @@ static uint64_t hash(const void *scene)
     return storm_hash(scene);
 }
 
+static int figures(const void *scene, struct scene_figure *all)
+{
+    return storm_figures(scene, all);
+}
+
 const struct scene_type storm_type = {
     .name = "lightning",
     .options = storm_keys,
@@ -251,4 +257,5 @@ const struct scene_type storm_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .figures = figures,
 };

@@ -7,8 +7,9 @@
 
 enum { CLOUDS = 11 };
 static const float PULL = 0.06f;  /* of what lies beyond the hand, of 1000 particles, over the square of its distance */
-static const float START = 0.02f; /* of that strength, before anything has grown */
+static const float START = 0.05f; /* of that strength, before anything has grown */
 static const float CROWDED = 0.08f; /* of the sheet's width, that a cloud is farther away for each unit of potential */
+static const float HASTE = 1;       /* by how much eta rises with each 1000 particles of a strike: it comes to an end */
 static const float HAND = 2;        /* cells of the growth: a hand's charge is not nearer */
 
 struct aim {
@@ -151,13 +152,13 @@ bool storm_place(struct storm *storm, const struct action *action, struct storm_
 /* A strike is drawn past its place, the more the longer it takes; and the nearer, the more by the place itself. */
 static void aim_at(struct storm_bolt *bolt, const struct aim *aim)
 {
-    float at[3], strength = (float)bolt->count / 1000 + START;
+    float at[3], grown = (float)bolt->count / 1000, strength = START + 0.5f * sqrtf(grown);
     to_growth(aim, bolt->target, at);
     float x = at[0] - bolt->from[0], y = at[1] - bolt->from[1], far = 4 * (x * x + y * y);
     bolt->pulls[0] = (struct laplacian_charge){
         .shape = LAPLACIAN_POINT, .charge = PULL * strength * far, .at = {at[0] + x, at[1] + y}};
     bolt->pulls[1] = (struct laplacian_charge){
-        .shape = LAPLACIAN_POINT, .charge = 1000 * strength, .at = {at[0], at[1]}, .ends = true};
+        .shape = LAPLACIAN_POINT, .charge = 4000 * strength, .at = {at[0], at[1]}, .ends = true};
     bolt->pull_count = 2;
 }
 
@@ -167,14 +168,15 @@ void storm_pull(struct storm *storm, struct storm_bolt *bolt)
     struct aim aim = {storm, 0.5f * bolt->width / bolt->scale, 0.5f * bolt->height / bolt->scale};
     if (bolt->aims) {
         aim_at(bolt, &aim);
+        laplacian_eta(bolt->laplacian, storm->def.eta + HASTE * (float)bolt->count / 1000);
     }
     int count = bolt->pull_count;
     memcpy(charges, bolt->pulls, (size_t)count * sizeof *charges);
     for (int i = 0; i < STORM_HANDS; i++) {
         const struct storm_hand *hand = &storm->hands[i];
         if (hand->lies && hand->charge != 0) {
-            charges[count] =
-                (struct laplacian_charge){.shape = LAPLACIAN_POINT, .charge = hand->charge, .radius = HAND};
+            charges[count] = (struct laplacian_charge){
+                .shape = LAPLACIAN_POINT, .charge = storm_felt(bolt) * hand->charge, .radius = HAND};
             to_growth(&aim, hand->at, charges[count].at);
             count++;
         }
@@ -182,6 +184,7 @@ void storm_pull(struct storm *storm, struct storm_bolt *bolt)
     if (laplacian_charge(bolt->laplacian, charges, count)) {
         bolt->heard = storm->hands_changed;
         bolt->charged = storm->now;
+        bolt->charged_count = bolt->count;
     } else {
         storm->failed = true;
     }

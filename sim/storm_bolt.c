@@ -14,11 +14,18 @@ enum {
     COST_PLANE = 10,
     COST_SPACE = 40,
     CHARGES_FREE = 120, /* charges that make a particle cost twice as much */
-    FEELS_EACH = 8,    /* ticks between which others are felt */
+    FEELS_EACH = 8,     /* ticks between which others are felt */
+    FELT_FROM = 500,    /* particles of a bolt from which charges of visitors count as shares of it */
+    SWELLS_EACH = 3,
     SHAPED_EACH = 6,   /* ticks between which radii are made anew, at least */
     LEADER_MOST = 400, /* particles a tick that a strike may grow by when its time is short */
 };
 static const float FLASH = 0.2f, FLICKER = 0.08f;
+
+float storm_felt(const struct storm_bolt *bolt)
+{
+    return 1 + (float)bolt->count / FELT_FROM;
+}
 
 bool storm_bolt_grows(const struct storm_bolt *bolt)
 {
@@ -183,7 +190,8 @@ static bool begin(struct storm *storm, struct storm_bolt *bolt, const struct act
         growth->eta = storm->def.eta;
         growth->eta_end = -1;
         growth->extent = 0; /* from where it begins: looked after here */
-        growth->particles = bolt->limit = storm->def.particles;
+        bolt->limit = storm->def.particles < storm->most ? storm->def.particles : (int)storm->most;
+        growth->particles = bolt->limit;
         growth->seed = (int)(random_bits((int)storm->bolts_begun, 0, (uint32_t)storm->def.seed, RANDOM_PLACE) >> 1);
         growth->mask = (struct action_raster){storm->mask, storm->mask_columns, storm->mask_rows, 1};
         growth->charges = bolt->pulls;
@@ -252,6 +260,7 @@ static void finish(struct storm *storm, struct storm_bolt *bolt)
     bolt->struck = storm->now;
     laplacian_destroy(bolt->laplacian);
     bolt->laplacian = NULL;
+    bolt->swells = bolt->aims || bolt->count >= bolt->limit ? storm->now : storm->now + STORM_SWELL;
     if (hit && bolt->aims) {
         bolt->hit = bolt->count - 1;
         strike_home(storm, bolt);
@@ -273,15 +282,42 @@ static int cost_of(const struct storm *storm, const struct storm_bolt *bolt)
     return cost + cost * charges / CHARGES_FREE;
 }
 
+static bool has_grown(const struct storm_bolt *bolt, int32_t since)
+{
+    return bolt->count > since + since / 10 + 20;
+}
+
+static bool is_touched(const struct storm *storm)
+{
+    for (int i = 0; i < STORM_HANDS; i++) {
+        if (storm->hands[i].lies) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_painted(const struct storm *storm)
+{
+    for (int i = 0; i < STORM_STROKES; i++) {
+        if (storm->strokes[i].lives && storm->strokes[i].undone == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* What is around has changed: heard at once while that is quick, else now and then. */
 static void listen(struct storm *storm, struct storm_bolt *bolt)
 {
     int64_t candidates = laplacian_candidates(bolt->laplacian), each = 1 + candidates * (bolt->pull_count + 4) / 60000;
     int slot = (int)(bolt - storm->bolts);
-    if ((bolt->aims || bolt->heard != storm->hands_changed) && storm->now - bolt->charged >= each) {
+    bool heard = bolt->heard == storm->hands_changed && !(has_grown(bolt, bolt->charged_count) && is_touched(storm));
+    bool felt = bolt->felt == storm->changed && !(has_grown(bolt, bolt->felt_count) && is_painted(storm));
+    if ((bolt->aims || !heard) && storm->now - bolt->charged >= each) {
         storm_pull(storm, bolt);
     }
-    if (bolt->felt != storm->changed && (bolt->felt < 0 || (storm->now + slot) % FEELS_EACH == 0)) {
+    if (!felt && (bolt->felt < 0 || (storm->now + slot) % FEELS_EACH == 0)) {
         storm_feel(storm, bolt);
     }
 }
@@ -317,7 +353,7 @@ static void step(struct storm *storm, struct storm_bolt *bolt, int most)
 /* Particles that all may have more, once what is old and at rest has been asked to go. */
 static int64_t room_for_particles(struct storm *storm, int wanted)
 {
-    int64_t free = STORM_PARTICLES - storm_particles(storm);
+    int64_t free = storm->most - storm_particles(storm);
     if (free >= wanted) {
         return free;
     }
@@ -335,7 +371,7 @@ static int64_t room_for_particles(struct storm *storm, int wanted)
             storm_dismiss(storm, gives, PUSHED_OUT);
         }
     }
-    free = STORM_PARTICLES - storm_particles(storm);
+    free = storm->most - storm_particles(storm);
     return free > 0 ? free : 0;
 }
 
@@ -370,6 +406,10 @@ static void age(struct storm *storm, int slot)
         }
         forget(storm, slot);
         return;
+    }
+    if (bolt->complete && storm->now <= bolt->swells && (bolt->swells - storm->now) % SWELLS_EACH == 0) {
+        storm_shape(storm, bolt);
+        storm_dress(storm, slot);
     }
     for (int i = 0; i < bolt->agains; i++) {
         if (bolt->again[i] == storm->now && bolt->undone == 0 && !bolt->leaves) {

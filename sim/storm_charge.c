@@ -132,7 +132,7 @@ void storm_feel(struct storm *storm, struct storm_bolt *bolt)
 {
     int places = storm->columns * storm->rows;
     float *sum = bolt->background[1 - bolt->turn], spacing = bolt->width / bolt->scale / (float)storm->columns;
-    float others = storm->def.repel / spacing, painted = 1 / spacing;
+    float others = storm->def.repel / spacing, painted = storm_felt(bolt) / spacing;
     for (int i = 0; i < places; i++) {
         sum[i] = -painted * storm->painted[i];
     }
@@ -146,6 +146,7 @@ void storm_feel(struct storm *storm, struct storm_bolt *bolt)
     }
     bolt->turn = 1 - bolt->turn;
     bolt->felt = storm->changed;
+    bolt->felt_count = bolt->count;
     const struct action_raster raster = {sum, storm->columns, storm->rows, 1};
     laplacian_background(bolt->laplacian, &raster);
 }

@@ -158,7 +158,7 @@ static bool field_around(const struct storm *storm, int width, int height, float
             float y = ((float)(i / (size_t)width) + 0.5f) / (float)height;
             float high = any && most > least ? (most - storm_sample(storm, potential, x, y)) / (most - least) : 1;
             /* the border counts as ground in the transform: there the lattice alone tells */
-            float edge = fminf(fminf(x, 1 - x) * (float)width, fminf(y, 1 - y) * (float)height) + 1;
+            float edge = fminf(fminf(x, 1 - x) * (float)width, fminf(y, 1 - y) * (float)height) + 0.25f;
             float near = any && far[i] < edge ? fminf(far[i] / spacing, 1) : 1;
             near = open[i] == 0 ? 0 : near;
             values[i] = rounded(fminf(fmaxf(high, 0), 1) * near);

@@ -22,7 +22,7 @@ const struct key storm_keys[] = {
      .meaning = "What grows; another brings its own values of all others but the seed."},
     NUMBER(eta, "", 0, 20, 8, "How much growth prefers what stands out: 0 a round lump, 10 almost a line."),
     WHOLE(particles, "", 10, STORM_PARTICLES, 8000, "A bolt is complete with so many."),
-    NUMBER(pace, "particles a tick", 0.05, 1000, 60, "How quickly a bolt grows, while the machine can follow."),
+    NUMBER(pace, "particles a tick", 0.05, 1000, 45, "How quickly a bolt grows, while the machine can follow."),
     NUMBER(life, "ticks", 0, 3600, 50, "How long a strike glows once it has come; 0: it stays."),
     NUMBER(thickness, "times", 0.1, 10, 1, "Of branches, beside that of their kind."),
     WHOLE(dimensions, "", 2, 3, 2, "Of the space it grows in."),
@@ -43,7 +43,7 @@ static const struct {
     int particles;
     float pace, turn, repel;
 } LIVE[BOLT_KINDS] = {
-    [BOLT_LIGHTNING] = {8000, 60, 0, 0.5f}, [BOLT_TESLA] = {6000, 90, 1, 1},         [BOLT_TREE] = {9000, 25, 1, 1},
+    [BOLT_LIGHTNING] = {8000, 45, 0, 0.5f}, [BOLT_TESLA] = {6000, 90, 1, 1},         [BOLT_TREE] = {9000, 25, 1, 1},
     [BOLT_LICHEN] = {9000, 20, 0, 1},       [BOLT_CORAL] = {1700, 4, 1, 1},          [BOLT_RIVER] = {9000, 25, 0, 3},
     [BOLT_SNOW] = {6000, 15, 0, 2},         [BOLT_FRACTURE] = {3600, 120, 0, 1},     [BOLT_VESSELS] = {9000, 25, 0, 3},
     [BOLT_CITY] = {5000, 10, 0, 1},         [BOLT_LICHTENBERG] = {16000, 250, 0, 2}, [BOLT_FROST] = {9000, 25, 0, 2},

@@ -65,9 +65,11 @@ void storm_shape(struct storm *storm, struct storm_bolt *bolt)
         most = (float)nodes[i].tips > most ? (float)nodes[i].tips : most;
     }
     bolt->most = (int32_t)most;
-    if (!bolt->complete) { /* what it will carry */
-        most *= (float)bolt->limit / (float)(bolt->count < bolt->limit ? bolt->count : bolt->limit);
+    float expected = (float)bolt->limit / (float)(bolt->count < bolt->limit ? bolt->count : bolt->limit), left = 1;
+    if (bolt->complete) { /* what it would have carried counts less and less */
+        left = storm->now < bolt->swells ? (float)(bolt->swells - storm->now) / STORM_SWELL : 0;
     }
+    most *= 1 + left * (expected - 1);
     bolt->whole = power(most, inverse) - 1;
     int32_t known = 0;
     float radius = look->tip;

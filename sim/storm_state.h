@@ -13,6 +13,7 @@ enum {
     STORM_MASK = 512,    /* values of the mask along the longer side */
     STORM_RESTRIKES = 3, /* at most, of a strike that has come */
     STORM_POINTS = 256,  /* of a painted charge */
+    STORM_SWELL = 60,    /* ticks in which a bolt that is complete before its time becomes as thick as it is to be */
     STORM_FLASH = 14,    /* ticks that a flash lasts */
 };
 #define STORM_ECHO 0.6f      /* of a strike's life: each restrike */
@@ -42,6 +43,7 @@ struct storm_bolt {
     float extent;          /* cells of the growth from where it began, 0: none */
     float from[3];         /* where it began, cells of the growth */
     float life;            /* ticks; 0: it stays */
+    int64_t swells;        /* till that tick its branches become thicker */
     int64_t struck;        /* tick at which it was complete */
     int64_t gone;          /* tick at which it is forgotten, or STORM_AGES */
     int64_t again[STORM_RESTRIKES];
@@ -56,11 +58,12 @@ struct storm_bolt {
     int limit;                   /* particles */
     struct laplacian_charge pulls[BOLT_CHARGES];
     int pull_count;
-    bool aims;           /* at `target`: pulls[0] is beyond it, pulls[1] there */
-    struct point target; /* 0..1 of the sheet */
-    int64_t heard;       /* hands as of this change */
-    int64_t charged;     /* tick */
-    int64_t felt;        /* others as of this change */
+    bool aims;                         /* at `target`: pulls[0] is beyond it, pulls[1] there */
+    struct point target;               /* 0..1 of the sheet */
+    int64_t heard;                     /* hands as of this change */
+    int64_t charged;                   /* tick */
+    int32_t charged_count, felt_count; /* particles when hands, and when strokes, were weighed */
+    int64_t felt;                      /* others as of this change */
 
     struct storm_node *nodes;
     int32_t count, room;
@@ -97,6 +100,7 @@ struct storm {
     bool begun, failed; /* memory was short */
     int64_t now, origin;
     int64_t serial, undone, bolts_begun;
+    int64_t most; /* particles of all: STORM_PARTICLES, but in tests */
     struct storm_bolt bolts[STORM_SLOTS];
     struct storm_hand hands[STORM_HANDS];
     int64_t hands_changed;
@@ -125,9 +129,14 @@ void storm_bolt_free(struct storm_bolt *bolt);
 void storm_dismiss(struct storm *storm, struct storm_bolt *bolt, int ticks);
 /* By one tick: growth, hits, what has had its time. */
 void storm_grow(struct storm *storm);
+/* How many times a hand's charge counts: as much for a large bolt as for a small one. */
+float storm_felt(const struct storm_bolt *bolt);
 bool storm_bolt_grows(const struct storm_bolt *bolt);
 /* Particles of all. */
 int64_t storm_particles(const struct storm *storm);
+
+/* storm_figures.c: as struct scene_type has it. */
+int storm_figures(const struct storm *storm, struct scene_figure *figures);
 
 /* storm_aim.c: where bolts begin and what pulls them. */
 /* Fills what it needs of the bolt, and its seeds: at most `most`. False: nowhere to begin. */

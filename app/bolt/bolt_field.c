@@ -30,7 +30,7 @@ static bool sample(const struct bolt_result *result, struct field *field)
     *field = (struct field){.columns = (int)ceilf((float)order->width / step),
                             .rows = (int)ceilf((float)order->height / step)};
     size_t count = (size_t)field->columns * (size_t)field->rows;
-    field->values = malloc(count * sizeof *field->values);
+    field->values = calloc(count, sizeof *field->values);
     struct progress progress = progress_start("measuring the potential", stderr);
     for (int row = 0; row < field->rows && field->values; row++) {
         for (int column = 0; column < field->columns; column++) {
@@ -101,7 +101,10 @@ bool bolt_write_potential(const struct bolt_result *result, const char *path, st
     struct field field = {0};
     float *shares = calloc(RANKS + 1, sizeof *shares);
     uint8_t *rgb = malloc((size_t)order->width * (size_t)order->height * 3);
-    bool good = (shares && rgb && sample(result, &field)) || file_fail(error, path, "memory is short");
+    bool good = shares && rgb && sample(result, &field);
+    if (!good) {
+        file_fail(error, path, "memory is short");
+    }
     if (good) {
         rank(&field, shares);
         shares[RANKS] = shares[RANKS - 1];
@@ -166,7 +169,13 @@ bool bolt_write_height(const struct bolt_result *result, const char *path, struc
     struct field field = {0};
     size_t stride = 2 * (size_t)order->width + 1;
     uint8_t *rows = calloc(stride, (size_t)order->height);
-    bool good = (rows && sample(result, &field)) || file_fail(error, path, "memory is short");
+    /* Of what has grown alone: attractors and repulsors would be the highest peaks and deepest holes by far. */
+    const struct laplacian_def *growth = &order->bolt.growth;
+    bool good = rows && laplacian_charge(result->laplacian, NULL, 0) && sample(result, &field) &&
+                laplacian_charge(result->laplacian, growth->charges, growth->charge_count);
+    if (!good) {
+        file_fail(error, path, "memory is short");
+    }
     for (int y = 0; y < order->height && good; y++) {
         uint8_t *at = rows + stride * (size_t)y + 1; /* filter 0 */
         for (int x = 0; x < order->width; x++) {

@@ -47,6 +47,7 @@ static bool has_room(struct mesh *mesh, int32_t vertices, int32_t faces)
     mesh->vertices = own[0];
     good = good && widen(&own[1], mesh->face_count, faces, &mesh->face_room, sizeof *mesh->faces);
     mesh->faces = own[1];
+    good = good && mesh->vertices && mesh->faces;
     mesh->failed = !good;
     return good;
 }
@@ -85,7 +86,7 @@ static bool walk(const struct bolt_mesh_def *def, int32_t first, struct way *way
     for (int32_t i = first; i >= 0; i = nodes[i].heaviest) {
         count++;
     }
-    *way = (struct way){malloc(sizeof *way->at * (size_t)count), malloc(sizeof *way->radius * (size_t)count), 0};
+    *way = (struct way){calloc((size_t)count, sizeof *way->at), calloc((size_t)count, sizeof *way->radius), 0};
     if (!way->at || !way->radius) {
         return false;
     }
@@ -279,7 +280,10 @@ bool bolt_write_obj(const struct bolt_mesh_def *def, const char *path, struct fi
 {
     struct mesh mesh = {0};
     struct bolt_text text = {0};
-    bool good = make(&mesh, def) || file_fail(error, path, "memory is short");
+    bool good = make(&mesh, def);
+    if (!good) {
+        file_fail(error, path, "memory is short");
+    }
     bolt_text_put(&text, "# frond bolt: %s, pixels from the middle of the picture, y up\n",
                   def->lines ? "branches as lines, radii as texture coordinates" : "branches as closed tubes");
     for (int32_t i = 0; i < mesh.vertex_count && good; i++) {
@@ -327,7 +331,10 @@ bool bolt_write_ply(const struct bolt_mesh_def *def, const char *path, struct fi
 {
     struct mesh mesh = {0};
     struct bolt_text text = {0};
-    bool good = make(&mesh, def) || file_fail(error, path, "memory is short");
+    bool good = make(&mesh, def);
+    if (!good) {
+        file_fail(error, path, "memory is short");
+    }
     bolt_text_put(&text, "ply\nformat binary_little_endian 1.0\ncomment frond bolt\nelement vertex %d\n",
                   mesh.vertex_count);
     bolt_text_put(&text, "property float x\nproperty float y\nproperty float z\nproperty float radius\n"

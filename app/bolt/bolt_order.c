@@ -6,11 +6,14 @@
 #include <time.h>
 
 #include "bolt_mesh.h"
+#include "bolt_plant.h"
 #include "progress.h"
 
 enum { SIZE = 1024, SIDES = 6, FILM = 120, RASTER_SIDE = 1024, PANORAMA_SIDE = 256, STEP = 256 };
 
 #define OF(field) .offset = offsetof(struct bolt_order, field)
+
+static const char *const PLANTS[LSYSTEM_KINDS + 2] = {"none", "tree", "vine", "bush", "fan", NULL};
 
 const struct key bolt_order_keys[] = {
     {.name = "kind",
@@ -19,6 +22,12 @@ const struct key bolt_order_keys[] = {
      .choices = bolt_kind_names,
      OF(kind),
      .meaning = "Brings its own values of all that follows, its own seeds and charges."},
+    {.name = "lsystem",
+     .type = KEY_CHOICE,
+     .unit = "",
+     .choices = PLANTS,
+     OF(lsystem),
+     .meaning = "A plant that feels the potential, of this kind, in the place of an aggregate."},
     {.name = "bare",
      .type = KEY_FLAG,
      .unit = "",
@@ -65,6 +74,9 @@ struct bolt_order bolt_order_default(void)
 void bolt_order_preset(struct bolt_order *order)
 {
     bolt_preset(&order->bolt, (enum bolt_kind)order->kind, order->width, order->height);
+    if (order->lsystem > 0) {
+        bolt_plant_preset(order);
+    }
     if (order->bare) {
         order->bolt.growth.charge_count = order->bolt.growth.seed_count = 0;
     }
@@ -89,7 +101,10 @@ static bool read_raster(const char *path, int side, struct action_raster *raster
         fit_size(&image, longer < side ? longer : side, &width, &height);
         linear = fit_linear(&image, width, height);
         values = malloc((size_t)width * (size_t)height * sizeof *values);
-        good = (linear && values) || file_fail(error, path, "memory is short");
+        good = linear && values;
+        if (!good) {
+            file_fail(error, path, "memory is short");
+        }
         for (size_t i = 0; i < (size_t)width * (size_t)height && good; i++) {
             const float *pixel = linear + 4 * i;
             values[i] = pixel[3] * (0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2]);
@@ -155,12 +170,11 @@ static bool explain_start(const struct bolt_order *order, enum laplacian_status 
     return file_fail(error, bolt_kind_names[order->kind], "cannot grow: %s", laplacian_status_names[status]);
 }
 
-static bool grow(struct bolt_result *result, struct file_error *error)
+static bool grow_aggregate(struct bolt_result *result, struct file_error *error)
 {
     const struct bolt_order *order = result->order;
     const struct laplacian_def *growth = &order->bolt.growth;
     enum laplacian_status status;
-    double start = clock_now();
     result->laplacian = laplacian_create(growth, &status);
     if (!result->laplacian) {
         return explain_start(order, status, error);
@@ -173,7 +187,6 @@ static bool grow(struct bolt_result *result, struct file_error *error)
         progress_step(&progress, laplacian_count(result->laplacian), growth->particles);
     }
     progress_end(&progress);
-    result->seconds = clock_now() - start;
     status = laplacian_status(result->laplacian);
     if (status == LAPLACIAN_NO_MEMORY) {
         return file_fail(error, bolt_kind_names[order->kind], "memory is short, after %d particles",
@@ -184,6 +197,14 @@ static bool grow(struct bolt_result *result, struct file_error *error)
         return file_fail(error, mask ? mask : "--seed-at", "there is nowhere to grow around the seeds");
     }
     return true;
+}
+
+static bool grow(struct bolt_result *result, struct file_error *error)
+{
+    double start = clock_now();
+    bool good = result->order->lsystem > 0 ? bolt_plant_grow(result, error) : grow_aggregate(result, error);
+    result->seconds = clock_now() - start;
+    return good;
 }
 
 static bool has_ending(const char *path, const char *ending)
@@ -215,7 +236,8 @@ static bool make_shape(struct bolt_result *result, struct file_error *error)
     sight.turn[0] = cosf(angle);
     sight.turn[1] = sinf(angle);
     memcpy(sight.axes, order->axes, sizeof sight.axes);
-    return bolt_shape_make(&result->shape, result->laplacian, &order->bolt.look, &sight) ||
+    return (result->plant ? bolt_plant_shape(result, &sight)
+                          : bolt_shape_make(&result->shape, result->laplacian, &order->bolt.look, &sight)) ||
            file_fail(error, bolt_kind_names[order->kind], "memory is short");
 }
 
@@ -234,6 +256,7 @@ bool bolt_order_run(struct bolt_order *order, struct file_error *error)
            (!order->stats || bolt_write_stats(&result, order->stats, error));
     bolt_shape_finish(&result.shape);
     laplacian_destroy(result.laplacian);
+    lsystem_destroy(result.plant);
     for (int i = 0; i < BOLT_PICTURES; i++) {
         struct action_raster *raster = raster_of(&order->bolt.growth, (enum bolt_picture)i);
         free((void *)(uintptr_t)raster->values);

@@ -8,6 +8,7 @@
 #include "bolt_shape.h"
 #include "file.h"
 #include "fit.h"
+#include "lsystem_plant.h"
 
 enum { BOLT_OUTPUTS = 8, BOLT_SIDE_MOST = 8192, BOLT_PATH_PLACES = 1024 };
 
@@ -18,13 +19,15 @@ enum bolt_picture { BOLT_MASK, BOLT_ETA_MAP, BOLT_OUTLINE, BOLT_ENVIRONMENT, BOL
 struct bolt_order {
     struct bolt bolt; /* the preset of the kind, and what was asked for instead */
     int kind;
-    int width, height; /* pixels: the room */
-    float turn;        /* turns about the upright axis */
-    int sides;         /* of the tubes of a mesh */
-    int film;          /* pictures of a film */
-    bool lines;        /* a mesh of lines with radii, no tubes */
-    bool bare;         /* without the charges and seeds of the kind */
-    int axes[3];       /* what is seen of more than three dimensions */
+    int lsystem;                /* 0, or 1 + enum lsystem_kind: a plant in the place of an aggregate */
+    struct lsystem_plant plant; /* its values; its charges and seeds are those of `bolt` */
+    int width, height;          /* pixels: the room */
+    float turn;                 /* turns about the upright axis */
+    int sides;                  /* of the tubes of a mesh */
+    int film;                   /* pictures of a film */
+    bool lines;                 /* a mesh of lines with radii, no tubes */
+    bool bare;                  /* without the charges and seeds of the kind */
+    int axes[3];                /* what is seen of more than three dimensions */
     const char *pictures[BOLT_PICTURES];
     const char *outputs[BOLT_OUTPUTS]; /* .png, .svg, .obj or .ply */
     int output_count;
@@ -46,7 +49,8 @@ bool bolt_order_run(struct bolt_order *order, struct file_error *error);
 /* What has grown, for those who write it. */
 struct bolt_result {
     const struct bolt_order *order;
-    struct laplacian *laplacian;
+    struct laplacian *laplacian; /* of a plant: the charges along it, where they are asked for */
+    struct lsystem *plant;       /* or NULL */
     struct bolt_shape shape;
     double seconds; /* that it took to grow */
 };
@@ -59,8 +63,8 @@ bool bolt_write_svg(const struct bolt_result *result, const char *path, struct f
 bool bolt_write_stats(const struct bolt_result *result, const char *path, struct file_error *error);
 /* Eq. 10 at every pixel, in bands of colour as figure 5b has it. */
 bool bolt_write_potential(const struct bolt_result *result, const char *path, struct file_error *error);
-/* The same as heights, 16 bits: 65535 where the growth is, lower with the potential (section IV.C). Of rivers and
- * fracture, which cut into the land, 0 where the growth is. */
+/* That of the particles alone, without attractors and repulsors, as heights of 16 bits: the growth is ridges up to
+ * 65535 (section IV.C). Of rivers and fracture, which cut into the land, it is valleys down to 0. */
 bool bolt_write_height(const struct bolt_result *result, const char *path, struct file_error *error);
 
 #endif

@@ -37,8 +37,10 @@ bool bolt_write_png(const struct bolt_result *result, const char *path, struct f
         return file_fail(error, path, "nothing has grown but a single seed");
     }
     uint8_t *rgb = calloc((size_t)order->width * (size_t)order->height, 3);
-    bool good = (rgb && bolt_light_lay(&view, 1e6, order->width, order->height, rgb)) ||
-                file_fail(error, path, "memory is short");
+    bool good = rgb && bolt_light_lay(&view, 1e6, order->width, order->height, rgb);
+    if (!good) {
+        file_fail(error, path, "memory is short");
+    }
     good = good && image_write_png(path, rgb, order->width, order->height, NULL, error);
     end_view(&view);
     free(rgb);
@@ -53,7 +55,10 @@ bool bolt_write_frames(const struct bolt_result *result, const char *folder, str
         return file_fail(error, folder, "nothing has grown but a single seed");
     }
     uint8_t *rgb = calloc((size_t)order->width * (size_t)order->height, 3);
-    bool good = rgb || file_fail(error, folder, "memory is short");
+    bool good = rgb;
+    if (!good) {
+        file_fail(error, folder, "memory is short");
+    }
     struct progress progress = progress_start("writing the film", stderr);
     for (int i = 0; i < order->film && good; i++) {
         char path[4096];
@@ -156,10 +161,12 @@ bool bolt_write_stats(const struct bolt_result *result, const char *path, struct
         return file_fail(error, path, "memory is short");
     }
     struct json_object *object = json_object_new_object(), *parameters = json_object_new_object();
-    json_object_object_add(object, "kind", json_object_new_string(bolt_kind_names[order->kind]));
-    json_object_object_add(object, "status",
-                           json_object_new_string(laplacian_status_names[laplacian_status(result->laplacian)]));
-    json_object_object_add(object, "particles", json_object_new_int(laplacian_count(result->laplacian)));
+    const char *kind = result->plant ? lsystem_kind_names[order->lsystem - 1] : bolt_kind_names[order->kind];
+    const char *status = result->plant ? lsystem_status_names[lsystem_status(result->plant)]
+                                       : laplacian_status_names[laplacian_status(result->laplacian)];
+    json_object_object_add(object, "kind", json_object_new_string(kind));
+    json_object_object_add(object, "status", json_object_new_string(status));
+    json_object_object_add(object, "particles", json_object_new_int(result->shape.count));
     add_number(object, "seconds", result->seconds);
     add_number(object, "bytes", (double)laplacian_bytes(result->laplacian));
     add_number(object, "radius_of_gyration", figures.gyration);
@@ -169,7 +176,11 @@ bool bolt_write_stats(const struct bolt_result *result, const char *path, struct
     json_object_object_add(object, "longest_way", json_object_new_int(result->shape.longest));
     json_object_object_add(object, "width", json_object_new_int(order->width));
     json_object_object_add(object, "height", json_object_new_int(order->height));
-    add_keys(parameters, laplacian_keys, &order->bolt.growth);
+    if (result->plant) {
+        add_keys(parameters, lsystem_keys, &order->plant.growth);
+    } else {
+        add_keys(parameters, laplacian_keys, &order->bolt.growth);
+    }
     add_keys(parameters, bolt_look_keys, &order->bolt.look);
     for (int i = 0; i < BOLT_PICTURES; i++) {
         if (order->pictures[i]) {

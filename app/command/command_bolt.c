@@ -39,7 +39,7 @@ static const char HELP[] =
     "the kind, of which there are:\n";
 
 enum {
-    ROWS_MAX = 64,
+    ROWS_MAX = 96,
     FIRST_ROW = 1000,
     OUTPUT = 'o',
     SIZE = 256,
@@ -73,11 +73,12 @@ static const struct option OWN[] = {{"output", required_argument, NULL, OUTPUT},
                                     {"help", no_argument, NULL, HELP_ASKED}};
 enum { OWN_COUNT = sizeof OWN / sizeof *OWN };
 
-/* The three tables as one row of options. */
+/* The tables as one row of options. */
 struct row {
     const struct key *key;
     size_t offset; /* of the struct that the table describes */
     bool own;      /* its default is the table's, not the kind's */
+    bool plant;    /* of plants alone */
     int turn;      /* options are taken in this order: what others go by comes first */
     char name[32];
 };
@@ -93,23 +94,42 @@ enum { TURNS = 3 };
 /* Kind and size choose the preset; span and dimensions say what places mean. */
 static int turn_of(const char *name)
 {
-    static const char *const FIRST[] = {"kind", "bare"}, *const SECOND[] = {"span", "dimensions"};
-    for (int i = 0; i < 2; i++) {
-        if (strcmp(name, FIRST[i]) == 0 || strcmp(name, SECOND[i]) == 0) {
-            return strcmp(name, FIRST[i]) == 0 ? 0 : 1;
+    static const char *const NAMES[] = {"kind", "bare", "lsystem", "span", "dimensions"};
+    for (int i = 0; i < 5; i++) {
+        if (strcmp(name, NAMES[i]) == 0) {
+            return i < 3 ? 0 : 1;
         }
     }
     return 2;
+}
+
+static bool is_listed(const struct options *options, const char *name)
+{
+    for (int i = 0; i < options->count; i++) {
+        if (strcmp(options->rows[i].key->name, name) == 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static void list_table(struct options *options, const struct key *keys, size_t offset)
 {
     for (const struct key *key = keys; key->name; key++) {
         struct row *row = &options->rows[options->count];
-        *row = (struct row){.key = key, .offset = offset, .own = keys == bolt_order_keys, .turn = turn_of(key->name)};
+        if (is_listed(options, key->name)) {
+            continue;
+        }
+        *row = (struct row){.key = key,
+                            .offset = offset,
+                            .own = keys == bolt_order_keys,
+                            .plant = keys == lsystem_keys,
+                            .turn = turn_of(key->name)};
         snprintf(row->name, sizeof row->name, "%s", key->name);
         for (char *at = row->name; *at; at++) {
-            *at = *at == '_' ? '-' : *at;
+            if (*at == '_') {
+                *at = '-';
+            }
         }
         options->listed[OWN_COUNT + options->count] = (struct option){
             row->name, key->type == KEY_FLAG ? no_argument : required_argument, NULL, FIRST_ROW + options->count};
@@ -124,6 +144,7 @@ static void list_options(struct options *options)
     list_table(options, bolt_order_keys, 0);
     list_table(options, laplacian_keys, offsetof(struct bolt_order, bolt.growth));
     list_table(options, bolt_look_keys, offsetof(struct bolt_order, bolt.look));
+    list_table(options, lsystem_keys, offsetof(struct bolt_order, plant.growth));
 }
 
 static void print_help(const struct options *options)
@@ -136,6 +157,9 @@ static void print_help(const struct options *options)
     for (int i = 0; i < options->count; i++) {
         char range[1400], name[48];
         const struct row *row = &options->rows[i];
+        if (row->plant && !options->rows[i - 1].plant) {
+            printf("\nOf plants (--lsystem), which take --dimensions, --eta, --seed and --environment too:\n");
+        }
         const char *value = row->key->type == KEY_FLAG ? "" : row->key->type == KEY_PICTURE ? " PICTURE" : " VALUE";
         snprintf(name, sizeof name, "--%s%s", row->name, value);
         printf("      %-22s %s\n", name, row->key->meaning);
@@ -173,13 +197,24 @@ static void take_picture(struct bolt_order *order, const char *name, const char 
     }
 }
 
-/* One value into its field. */
+/* One value into its field. Of a plant, what both tables have is the plant's. */
 static bool take_value(struct bolt_order *order, const struct row *row, const char *text)
 {
-    const struct key *key = row->key;
-    void *field = (char *)order + row->offset + key->offset;
+    const struct key *key = row->key, *own = key ? key_find(lsystem_keys, key->name) : NULL;
+    size_t offset = row->offset;
+    if (!key) {
+        return false;
+    }
+    if (order->lsystem > 0 && own && offset == offsetof(struct bolt_order, bolt.growth)) {
+        key = own;
+        offset = offsetof(struct bolt_order, plant.growth);
+    }
+    void *field = (char *)order + offset + key->offset;
     char allowed[1200];
     bool good = true;
+    if (row->plant && order->lsystem == 0) {
+        return wrong(row->name, text, "it is of plants: --lsystem tree, vine, bush or fan");
+    }
     if (key->type == KEY_FLAG) {
         *(bool *)field = true;
     } else if (key->type == KEY_CHOICE) {
@@ -198,6 +233,7 @@ static bool take_value(struct bolt_order *order, const struct row *row, const ch
     } else {
         good = take_number(key, text, field);
     }
+    order->bolt.growth.dimensions = order->lsystem > 0 ? order->plant.growth.dimensions : order->bolt.growth.dimensions;
     return good || wrong(row->name, text, value_allowed(key, allowed, sizeof allowed));
 }
 

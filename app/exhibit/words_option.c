@@ -85,7 +85,10 @@ const char *words_option(const char *name, int language, char *text, int size)
     }
     snprintf(text, (size_t)size, "%s", name);
     for (char *c = text; *c; c++) {
-        *c = (char)(*c == '_' ? ' ' : c == text && *c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
+        *c = (char)(*c == '_' ? ' ' : *c);
+    }
+    if (text[0] >= 'a' && text[0] <= 'z') {
+        text[0] = (char)(text[0] - 'a' + 'A');
     }
     return text;
 }
@@ -113,7 +116,7 @@ static void write_number(const char *plain, int language, char *text, int size)
             text[used++] = (char)0xd9;
             text[used++] = (char)0xab;
         } else {
-            text[used++] = *plain == '.' && comma ? ',' : *plain;
+            text[used++] = (char)(*plain == '.' && comma ? ',' : *plain);
         }
     }
     text[used] = '\0';

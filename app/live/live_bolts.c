@@ -14,8 +14,7 @@ static void finish(struct live_drawer *drawer)
 static void part(struct live_drawer *drawer, const struct live_scene_sheet *sheet)
 {
     struct live_bolts *bolts = (struct live_bolts *)drawer;
-    (void)sheet;
-    live_fade_part(&bolts->fade, bolts->shown);
+    live_fade_part(&bolts->fade, bolts->shown, sheet->kind == SCENE_LIGHTNING);
     if (bolts->shown) {
         bolt_light_gpu_destroy(bolts->before);
         bolts->before = bolts->now;

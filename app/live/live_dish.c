@@ -14,8 +14,7 @@ static void finish(struct live_drawer *drawer)
 static void part(struct live_drawer *drawer, const struct live_scene_sheet *sheet)
 {
     struct live_dish *dish = (struct live_dish *)drawer;
-    (void)sheet;
-    live_fade_part(&dish->fade, dish->shown);
+    live_fade_part(&dish->fade, dish->shown, sheet->kind == SCENE_CHEMISTRY);
     if (dish->shown) {
         dish_gpu_destroy(dish->before);
         dish->before = dish->now;

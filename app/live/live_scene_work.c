@@ -199,7 +199,7 @@ static bool step_trees(struct live_scene *live)
     if (live->scene && sized && (live->painted_width != live->width || live->painted_height != live->height)) {
         live_scene_want(live, bench_wall_s());
     }
-    if (!live->wanted || (!sized && live->scene)) {
+    if (!live->wanted || !sized) {
         return false;
     }
     if (bench_wall_s() < live->grow_s) {

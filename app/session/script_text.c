@@ -6,6 +6,8 @@
 #include "pen.h"
 #include "script_action.h"
 
+enum { LINE = 8 }; /* cells: thick letters starve within, lines live */
+
 #define AT(field) offsetof(struct script_text, field)
 
 const struct key script_text_keys[] = {
@@ -39,13 +41,35 @@ const struct key script_text_keys[] = {
      .initial = 0.8,
      .offset = AT(height),
      .meaning = "They are as large as fits into this height, and into the width."},
-    {.name = "light", .type = KEY_FLAG, .unit = "", .offset = AT(light), .meaning = "In a thin face, not a bold one."},
+    {.name = "line",
+     .type = KEY_NUMBER,
+     .unit = "cells",
+     .max = 64,
+     .initial = LINE,
+     .offset = AT(line),
+     .meaning = "Width of the line around each letter; 0: it is filled, as all but doses are if this is left out."},
     {.name = NULL},
 };
 
 bool script_text_is_for(enum action_verb verb)
 {
     return verb == ACTION_DOSE || verb == ACTION_STYLE || verb == ACTION_STRIKE;
+}
+
+/* The middle of the block at x, y. */
+static void write_words(const struct pen *pen, const struct pen_words *words, double line, double x, double y)
+{
+    double wide, high;
+    if (!(line > 0)) {
+        pen_write(pen, words, x, y);
+        return;
+    }
+    pen_measure(pen, words, &wide, &high);
+    cairo_move_to(pen->cairo, x - 0.5 * wide, y - 0.5 * high);
+    pango_cairo_layout_path(pen->cairo, pen->layout);
+    cairo_set_line_width(pen->cairo, line);
+    cairo_set_line_join(pen->cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke(pen->cairo);
 }
 
 bool script_text_draw(const struct script_text *text, int width, int height, float *values)
@@ -58,13 +82,13 @@ bool script_text_draw(const struct script_text *text, int width, int height, flo
         free(rgba);
         return false;
     }
-    struct pen_words words = {.text = text->words, .tag = "en", .size = probe, .bold = !text->light};
+    struct pen_words words = {.text = text->words, .tag = "en", .size = probe, .bold = true};
     pen_measure(&pen, &words, &wide, &high);
     words.size =
         probe * fmin((double)text->width * width / fmax(wide, 1), (double)text->height * height / fmax(high, 1));
     bool middle = !(text->at.x > 0) && !(text->at.y > 0);
     pen_set(&pen, pen_dark, 1);
-    pen_write(&pen, &words, middle ? 0.5 * width : x, middle ? 0.5 * height : y);
+    write_words(&pen, &words, (double)text->line, middle ? 0.5 * width : x, middle ? 0.5 * height : y);
     pen_close(&pen, rgba);
     for (size_t i = 0; i < (size_t)width * (size_t)height; i++) {
         values[i] = 1 - nearbyintf((float)rgba[4 * i + 3] / 255 * 65536) / 65536;
@@ -73,10 +97,12 @@ bool script_text_draw(const struct script_text *text, int width, int height, flo
     return true;
 }
 
-static bool read_words(struct reader *reader, const struct yaml_node *node, struct script_text *text)
+static bool read_words(struct reader *reader, const struct yaml_node *node, enum action_verb verb,
+                       struct script_text *text)
 {
     int before = reader->report->count + reader->report->dropped;
     key_defaults(script_text_keys, text);
+    text->line = verb == ACTION_DOSE ? LINE : 0;
     if (node->kind == YAML_MAPPING) {
         mapping_read(reader, script_text_keys, node, text, NULL);
     } else if (node->kind == YAML_SCALAR && !yaml_is_nothing(node)) {
@@ -92,7 +118,7 @@ bool script_text_read(struct reader *reader, const struct yaml_node *node, struc
     struct script_text text = {.words = NULL};
     int width = reader->script->width, height = reader->script->height;
     size_t count = (size_t)width * (size_t)height;
-    if (!read_words(reader, node, &text) || !script_take_values(reader, node, count)) {
+    if (!read_words(reader, node, action->verb, &text) || !script_take_values(reader, node, count)) {
         return false;
     }
     float *values = reader_take(reader, count * sizeof *values);

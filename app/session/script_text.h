@@ -8,7 +8,7 @@ struct script_text {
     const char *words;   /* UTF-8, as it stands in the file */
     struct point at;     /* middle of the block; 0, 0: of the sheet */
     float width, height; /* shares of the sheet that it fits into */
-    bool light;          /* a thin face, not a bold one */
+    float line;          /* cells: the letters' outlines, so wide; 0: they are filled */
 };
 /* Over struct script_text; ends with a key whose name is NULL. */
 extern const struct key script_text_keys[];

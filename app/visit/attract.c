@@ -11,6 +11,9 @@
 
 enum { EVERY = 3 }; /* every third is a recorded one, where there are any */
 
+_Static_assert((int)COMPOSE_STORM_STEPS <= (int)COMPOSE_STEPS && (int)COMPOSE_DISH_STEPS <= (int)COMPOSE_STEPS,
+               "there is room for all of them");
+
 struct attract {
     const struct exhibit *exhibit;
     struct dice dice;

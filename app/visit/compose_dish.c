@@ -4,7 +4,8 @@
 
 #include "gray_scott_classes.h"
 
-enum { STROKE = 6, STEPS = 10, LEGS = 3 }; /* points of a stroke; of a way from one pattern to another; ways */
+/* Points of a stroke; of a way from one pattern to another; ways; doses at most, about. */
+enum { STROKE = 6, STEPS = 10, LEGS = 3, DOSES = 60 };
 
 static const float BEGIN_S = 1;
 static const float DOSE_S = 7; /* from one dose to the next, about */
@@ -117,9 +118,11 @@ void compose_dish(struct performance *performance, const struct compose_dish_def
     performance_clear(performance, def->ticks);
     post_dose(&chemist, BEGIN_S);
     post_dose(&chemist, BEGIN_S + 2);
-    for (float at = BEGIN_S + 5; at < end && performance->count < COMPOSE_DISH_STEPS - 2 * LEGS * STEPS;
-         at += DOSE_S * dice_between(dice, 0.6f, 1.6f)) {
+    float every = fmaxf(DOSE_S, end / DOSES);
+    float at = BEGIN_S + 5;
+    while (at < end) {
         post_dose(&chemist, at);
+        at += every * dice_between(dice, 0.6f, 1.6f);
     }
     compose_drift(&chemist, BEGIN_S + 4, end);
     performance_space(performance, (int)ticks_of(&chemist, 0.5f));

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-enum { HAND = 1 }; /* a number that nobody else has then */
+enum { HAND = 1, FLASHES = 30, SLOW = 16 }; /* a number that nobody else has then; how many there are at most, about */
 
 static const float BEGIN_S = 1.2f;
 static const float FLASH_S = 4; /* from one strike of lightning to the next, about */
@@ -44,7 +44,7 @@ static void post_kind(const struct stormer *stormer, enum bolt_kind kind, float 
     post(stormer, &action, at_s, -1);
 }
 
-/* A hand comes down, stays for a while and is lifted: what grows turns to it. */
+/* A hand comes down and stays: what grows turns to it. */
 static void post_hand(const struct stormer *stormer, struct point at, float at_s)
 {
     struct action action = action_default(ACTION_ATTRACT);
@@ -52,17 +52,31 @@ static void post_hand(const struct stormer *stormer, struct point at, float at_s
     action.at = at;
     action.has_at = true;
     post(stormer, &action, at_s, 0.3f);
-    action = action_default(ACTION_ATTRACT);
-    action.visitor = HAND;
-    post(stormer, &action, at_s + STAYS_S, -1);
+}
+
+/* Each hand that has come is lifted after a while: when it is known when they come. */
+static void lift_hands(const struct stormer *stormer)
+{
+    struct performance *performance = stormer->performance;
+    int count = performance->count;
+    for (int i = 0; i < count; i++) {
+        const struct action *hand = &performance->steps[i].action;
+        if (hand->verb == ACTION_ATTRACT) {
+            struct action action = action_default(ACTION_ATTRACT);
+            action.visitor = HAND;
+            action.tick = hand->tick + ticks_of(stormer, STAYS_S);
+            action.tick = action.tick < performance->ticks ? action.tick : performance->ticks - 1;
+            performance_add(performance, &action, -1);
+        }
+    }
 }
 
 /* Strikes from clouds that drift: each comes down some way from the last. Now and then two at once. */
 static void compose_flashes(const struct stormer *stormer, float from_s, float to_s)
 {
     struct dice *dice = stormer->dice;
-    float x = dice_between(dice, 0.15f, 0.85f);
-    for (float at = from_s; at < to_s; at += FLASH_S * dice_between(dice, 0.5f, 1.8f)) {
+    float x = dice_between(dice, 0.15f, 0.85f), every = fmaxf(FLASH_S, (to_s - from_s) / FLASHES), at = from_s;
+    while (at < to_s) {
         x += dice_between(dice, 0.2f, 0.5f);
         x = x > 0.9f ? x - 0.8f : x;
         post_strike(stormer, (struct point){x, dice_between(dice, 0.55f, 0.95f)}, at);
@@ -70,22 +84,36 @@ static void compose_flashes(const struct stormer *stormer, float from_s, float t
             float other = x > 0.5f ? x - dice_between(dice, 0.2f, 0.4f) : x + dice_between(dice, 0.2f, 0.4f);
             post_strike(stormer, (struct point){other, dice_between(dice, 0.5f, 0.9f)}, at + 0.9f);
         }
+        at += every * dice_between(dice, 0.5f, 1.8f);
     }
 }
 
-/* What grows slowly, from places apart; a hand over it draws it up. */
-static void compose_slow(const struct stormer *stormer, float from_s, float to_s)
+/* How far down the sheet a kind begins: on the ground, at the spring of a river, or in the middle of what it spreads
+ * over. */
+static float begin_of(enum bolt_kind kind, struct dice *dice)
+{
+    bool stands = kind == BOLT_TREE || kind == BOLT_CORAL;
+    float y = stands ? 0.79f : kind == BOLT_RIVER ? 0.12f : kind == BOLT_FROST ? 0.9f : 0.5f;
+    return y + dice_between(dice, -0.07f, 0.07f);
+}
+
+/* What grows slowly, from places apart; a hand draws it to itself. */
+static void compose_slow(const struct stormer *stormer, enum bolt_kind kind, float from_s, float to_s)
 {
     struct dice *dice = stormer->dice;
-    float side = dice_chance(dice, 0.5f) ? 0.3f : 0.7f;
-    for (float at = from_s; at < to_s; at += GROW_S * dice_between(dice, 0.8f, 1.3f), side = 1 - side) {
+    float side = dice_chance(dice, 0.5f) ? 0.3f : 0.7f, every = fmaxf(GROW_S, (to_s - from_s) / SLOW), at = from_s;
+    while (at < to_s) {
         float x = side + dice_between(dice, -0.12f, 0.12f);
-        post_strike(stormer, (struct point){x, dice_between(dice, 0.72f, 0.86f)}, at);
+        post_strike(stormer, (struct point){x, begin_of(kind, dice)}, at);
         if (at + 3 + STAYS_S < to_s && dice_chance(dice, 0.7f)) {
+            bool down = kind == BOLT_RIVER;
             struct point hand = {x + dice_between(dice, -0.25f, 0.25f), dice_between(dice, 0.2f, 0.5f)};
+            hand.y = down ? 1 - hand.y : hand.y;
             hand.x = fminf(fmaxf(hand.x, 0.08f), 0.92f);
             post_hand(stormer, hand, at + 3);
         }
+        at += every * dice_between(dice, 0.8f, 1.3f);
+        side = 1 - side;
     }
 }
 
@@ -99,12 +127,13 @@ void compose_storm(struct performance *performance, const struct compose_storm_d
     if (flashes && whole > 40) { /* a storm, and after it a slow coral */
         compose_flashes(&stormer, from, turn);
         post_kind(&stormer, BOLT_CORAL, turn + 1);
-        compose_slow(&stormer, turn + 2, end);
+        compose_slow(&stormer, BOLT_CORAL, turn + 2, end);
     } else if (flashes) {
         compose_flashes(&stormer, from, end);
     } else {
-        compose_slow(&stormer, from, end);
+        compose_slow(&stormer, (enum bolt_kind)def->options->lightning.kind, from, end);
     }
     performance_space(performance, (int)ticks_of(&stormer, 0.4f));
+    lift_hands(&stormer);
     performance_sort(performance);
 }

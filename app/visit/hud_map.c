@@ -3,11 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "gray_scott_classes.h"
+#include "dish_map.h"
 #include "hud_icon.h"
 #include "hud_image.h"
 #include "hud_layout.h"
-#include "reaction_map.h"
 #include "words_option.h"
 
 /* mm. */
@@ -91,8 +90,9 @@ void hud_map_pick(struct hud *hud, int panel, float x, float y)
     float place[4], plot[4];
     if (hud_map_place(hud, panel, place)) {
         plot_of(hud, place, plot);
-        reaction_map_rates((struct point){(x - plot[0]) / plot[2], (y - plot[1]) / plot[3]},
-                           &hud->panels[panel].picked[0], &hud->panels[panel].picked[1]);
+        struct dish_place rates = dish_map_place((struct point){(x - plot[0]) / plot[2], (y - plot[1]) / plot[3]});
+        hud->panels[panel].picked[0] = rates.feed;
+        hud->panels[panel].picked[1] = rates.kill;
         hud->panels[panel].has_picked = true;
     }
 }
@@ -131,7 +131,7 @@ static void draw_plot(const struct pen *pen, const float plot[4])
     cairo_surface_flush(picture);
     if (bytes && rgb) {
         const uint8_t *from = rgb;
-        reaction_map_fill(width, height, rgb);
+        dish_map_fill(width, height, rgb);
         for (int i = 0; i < width * height; i++, from += 3) {
             uint32_t pixel = (uint32_t)from[0] << 16 | (uint32_t)from[1] << 8 | from[2];
             size_t at = (size_t)(i / width) * (size_t)cairo_image_surface_get_stride(picture) + 4 * (size_t)(i % width);
@@ -153,18 +153,19 @@ static void draw_plot(const struct pen *pen, const float plot[4])
 static void draw_letters(const struct hud *hud, const struct pen *pen, const float plot[4])
 {
     double mm = (double)hud->mm;
+    pen_set(pen, pen_paper, 1); /* the map is dark */
     for (const struct gray_scott_preset *preset = gray_scott_presets; preset->name; preset++) {
-        struct point at = reaction_map_place(preset->feed, preset->kill);
+        struct point at = dish_map_at(preset->feed, preset->kill);
         struct pen_words words = {preset->letter, "el", fmax(4.2 * mm, 0.035 * (double)plot[2]), 0, true};
         if (at.x > 0 && at.x < 1 && at.y > 0 && at.y < 1) {
-            pen_write_haloed(pen, &words, (double)(plot[0] + at.x * plot[2]), (double)(plot[1] + at.y * plot[3]));
+            pen_write(pen, &words, (double)(plot[0] + at.x * plot[2]), (double)(plot[1] + at.y * plot[3]));
         }
     }
 }
 
 static void draw_now(const struct hud *hud, const struct pen *pen, const float plot[4])
 {
-    struct point at = reaction_map_place(hud->map_feed, hud->map_kill);
+    struct point at = dish_map_at(hud->map_feed, hud->map_kill);
     double mm = (double)hud->mm, x = (double)(plot[0] + clamp(at.x, 0, 1) * plot[2]),
            y = (double)(plot[1] + clamp(at.y, 0, 1) * plot[3]);
     const double widths[] = {2.6, 1.4};

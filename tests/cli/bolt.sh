@@ -37,7 +37,7 @@ reads() {
 # Usage: option, value and range are named.
 expect 0 --help
 for option in dimensions eta eta-end particles seed jitter method error off-grid mask eta-map outline environment \
-    environment-radius attractor repulsor seed-at turn projection potential height stats frames lines trunk; do
+    environment-radius attractor repulsor seed-at turn projection potential height stats frames lines trunk lsystem tropism shyness; do
     grep -q -- "--$option\b" out.txt || fail "$last: nothing about --$option"
 done
 expect 2
@@ -104,7 +104,7 @@ grep -q '"shape":"stroke"' s.json || fail "$last: no stroke"
 reads draw disc.png
 reads draw black.png
 reads draw left.png
-expect 0 --bare --particles 3000 --eta 1 --span 120 --mask disc.png --size 120x120 -o m.png
+expect 0 --bare --particles 3000 --eta 1 --span 120 --mask disc.png --size 120x120 --style line -o m.png
 reads within m.png
 expect 0 --bare --particles 1500 --eta 1 --span 120 --outline disc.png --size 120x120 -o o.png --stats o.json
 expect 0 --bare --particles 700 --eta 2 --eta-map disc.png --size 120x120 -o e.png
@@ -129,6 +129,28 @@ expect 0 --bare --attractor 0,0:5000 --attractor 0,0:5000 --repulsor 0,0:5000 --
 reads stats a.json 300 lightning
 expect 0 --bare --dimensions 4 --particles 250 --projection xyw --size 90x90 -o a.png -o a.ply
 reads tubes a.ply
+
+# Plants: the same outputs; their own options, which are of no aggregate.
+expect 0 --lsystem bush --size 240x240 -o a.png -o a.svg -o a.obj -o a.ply --potential p.png --height h.png --stats a.json
+reads png a.png 240 240 8
+reads png h.png 240 240 16
+reads tubes a.obj
+reads tubes a.ply
+reads svg a.svg a.json
+grep -q '"kind":"bush"' a.json || fail "$last: no bush"
+expect 0 --lsystem bush --size 240x240 -o b.png
+cmp -s a.png b.png || fail "$last: the same is not the same"
+expect 0 --lsystem tree --bare --seed-at 0,80,0 --attractor 110,-60,0:9000 --tropism 30 --size 200x200 -o a.png
+expect 0 --lsystem tree --bare --seed-at 0,80,0 --attractor -110,-60,0:9000 --tropism 30 --size 200x200 -o b.png
+reads sides a.png b.png
+expect 0 --lsystem vine --steps 30 --eta 0 --orders 1 --size 120x120 -o a.png --stats a.json
+grep -q '"orders":1' a.json || fail "$last: no orders"
+expect 2 --lsystem oak -o a.png
+says "--lsystem: 'oak' is not it; one of none, tree, vine, bush, fan"
+expect 2 --tropism 30 -o a.png
+says "--tropism: '30' is not it; it is of plants: --lsystem tree, vine, bush or fan"
+expect 2 --lsystem tree --dimensions 4 -o a.png
+says "--dimensions: '4' is not it; 2 to 3"
 
 [ "$failures" -eq 0 ] || exit 1
 echo "frond bolt writes what it should"

@@ -79,6 +79,17 @@ expect 0 render bare.yaml -o bare.png --stats bare.json
 cmp -s dish.png bare.png && fail "$last: nothing lies over the painting"
 grep -q '"scenes"' bare.json && fail "$last: a scene without any"
 
+cat >bolt.yaml <<'YAML'
+frond: 1
+canvas: {width: 160, height: 120}
+ticks: 40
+actions:
+  - {tick: 0, strike: {at: [0.5, 0.8]}}
+YAML
+expect 0 render bolt.yaml -o bolt.png --stats bolt.json --fields bolt.exr
+grep -q '"bolts": 1,' bolt.json || fail "$last: no bolt is counted: $(cat bolt.json)"
+grep -q 'lightning.around' bolt.exr || fail "$last: no channel of the potential"
+
 # A torn journal is played up to the tear, and says so; other files are refused in a line.
 head -c -9 a.frond >torn.frond
 expect 0 replay torn.frond -o torn.png

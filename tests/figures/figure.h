@@ -59,6 +59,7 @@ void figure_portrait(struct figure *figure);  /* figure_portrait.c */
 void figure_laplacian(struct figure *figure); /* figure_laplacian.c */
 void figure_bolts(struct figure *figure);     /* figure_bolts.c */
 void figure_lsystem(struct figure *figure);   /* figure_lsystem.c */
+void figure_storm(struct figure *figure);     /* figure_storm.c */
 void figure_light(struct figure *figure);     /* figure_light.c */
 void figure_chemistry(struct figure *figure); /* figure_chemistry.c */
 void figure_classes(struct figure *figure);

@@ -55,7 +55,7 @@ static void show(struct figure *figure, struct sheet *sheet, enum bolt_kind kind
               laplacian_count(laplacian), shape.branches, figures.box_dimension);
     figure_check(figure, looked.cover > 0.01 && looked.cover < 0.75, "%s covers %.3f of the picture",
                  bolt_kind_names[kind], looked.cover);
-    if (kind == BOLT_LIGHTNING || kind == BOLT_RIVER) {
+    if (kind == BOLT_LIGHTNING) {
         figure_check(figure, laplacian_status(laplacian) == LAPLACIAN_HIT, "%s arrives", bolt_kind_names[kind]);
     }
     if (kind == BOLT_CORAL || kind == BOLT_TREE) {

@@ -136,23 +136,23 @@ static void show_strokes(struct show *show)
 
 static void show_text(struct show *show)
 {
-    const struct script_text text = {.words = "FROND", .width = 0.92f, .height = 0.8f};
+    const struct script_text text = {.words = "FROND", .width = 0.92f, .height = 0.8f, .line = 8};
     struct action action = action_default(ACTION_DOSE);
     begin(show);
-    preset(show, "mitosis", "ember");
+    preset(show, "worms", "ember");
     if (!script_text_draw(&text, SIDE, SIDE, show->raster)) {
         figure_stop("dish", "no memory");
     }
     action.picture = (struct action_raster){show->raster, SIDE, SIDE, 1};
     act(show, &action);
-    go(show, 130);
+    go(show, 180);
     lay(show);
     double dark = 0;
     for (int i = 0; i < CELLS; i++) {
         dark += 1 - (double)show->raster[i];
     }
-    figure_check(show->figure, dark / CELLS > 0.05 && dark / CELLS < 0.4, "words cover %.0f %%", 100 * dark / CELLS);
-    sheet_add(show->sheet, show->rgb, "dose: {text: FROND}, preset mitosis");
+    figure_check(show->figure, dark / CELLS > 0.03 && dark / CELLS < 0.4, "words cover %.0f %%", 100 * dark / CELLS);
+    sheet_add(show->sheet, show->rgb, "dose: {text: FROND}, preset worms");
 }
 
 static void show_style(struct show *show)

@@ -47,6 +47,7 @@ static const struct figure_group GROUPS[] = {
     {"hidden", "real photographs in trees", figure_hidden},
     {"portrait", "a portrait as growing ink", figure_portrait},
     {"laplacian", "bolts, coral, attractors, masks, light", figure_laplacian},
+    {"storm", "a strike over time, a coral with hands, rivers that keep clear", figure_storm},
     {"bolts", "every kind of Laplacian growth as it looks", figure_bolts},
     {"lsystem", "plants that bend to light, keep clear of walls, climb", figure_lsystem},
     {"light", "Laplacian growth as light, lines and bodies", figure_light},

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-double aggregate_gyration(const place *places, int count)
+double aggregate_gyration(place *places, int count)
 {
     double mean[3] = {0}, sum = 0;
     for (int i = 0; i < count; i++) {
@@ -32,7 +32,7 @@ static double slope_of(const double *x, const double *y, int count)
     return (count * sxy - sx * sy) / (count * sxx - sx * sx);
 }
 
-double aggregate_box_dimension(const place *places, int count)
+double aggregate_box_dimension(place *places, int count)
 {
     enum { GRID = 1024, SIZES = 4 };
     double logs[SIZES], counts[SIZES];
@@ -56,7 +56,7 @@ double aggregate_box_dimension(const place *places, int count)
     return slope_of(logs, counts, SIZES);
 }
 
-double aggregate_growth_dimension(const place *places, int count, int from)
+double aggregate_growth_dimension(place *places, int count, int from)
 {
     enum { PARTS = 5 };
     double sizes[PARTS], counts[PARTS];
@@ -68,13 +68,13 @@ double aggregate_growth_dimension(const place *places, int count, int from)
     return slope_of(sizes, counts, PARTS);
 }
 
-static double distance(const place a, const place b)
+static double distance(const double *a, const double *b)
 {
     double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     return sqrt(x * x + y * y + z * z);
 }
 
-double aggregate_mass_dimension(const place *places, int count)
+double aggregate_mass_dimension(place *places, int count)
 {
     enum { RADII = 5 };
     double most = 0, radii[RADII], counts[RADII];

@@ -40,9 +40,29 @@ void bolt_case_fill(struct bolt_segment *segments, int count, int width, int hei
 struct bolt_look bolt_case_look(enum bolt_style style)
 {
     static const struct bolt_look looks[BOLT_STYLES] = {
-        {BOLT_GLOW, 4, 0.5f, 2, {0.3f, 0.4f, 1}, {1, 1, 0.9f}, {0.01f, 0.02f, 0.05f}, 0, 60},
-        {BOLT_LINE, 4, 0.5f, 2, {0.1f, 0.05f, 0.3f}, {0.5f, 0.2f, 0.1f}, {0.8f, 0.75f, 0.6f}, 0, 0},
-        {BOLT_BODY, 4, 0.5f, 2, {0.6f, 0.1f, 0.05f}, {0.2f, 0.5f, 0.1f}, {0.05f, 0.1f, 0.2f}, 4, 0},
+        {.style = BOLT_GLOW,
+         .trunk = 4,
+         .tip = 0.5f,
+         .pipe = 2,
+         .colour = {0.3f, 0.4f, 1},
+         .core = {1, 1, 0.9f},
+         .ground = {0.01f, 0.02f, 0.05f},
+         .life = 60},
+        {.style = BOLT_LINE,
+         .trunk = 4,
+         .tip = 0.5f,
+         .pipe = 2,
+         .colour = {0.1f, 0.05f, 0.3f},
+         .core = {0.5f, 0.2f, 0.1f},
+         .ground = {0.8f, 0.75f, 0.6f}},
+        {.style = BOLT_BODY,
+         .trunk = 4,
+         .tip = 0.5f,
+         .pipe = 2,
+         .colour = {0.6f, 0.1f, 0.05f},
+         .core = {0.2f, 0.5f, 0.1f},
+         .ground = {0.05f, 0.1f, 0.2f},
+         .leaves = 4},
     };
     return looks[style];
 }

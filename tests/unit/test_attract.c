@@ -261,6 +261,44 @@ static void no_two_of_a_day_are_the_same(void **state)
     free(stage);
 }
 
+/* Storms and dishes: legal, in good time, never the same; what is held is let go; nothing but what is for them. */
+static void storms_and_dishes_are_performed(void **state)
+{
+    (void)state;
+    static const float seconds[] = {20, 60, 120, 1800};
+    struct played *played = calloc(1, sizeof *played);
+    assert_non_null(played);
+    for (int i = 0; i < 4 * 2 * 4; i++) {
+        enum scene_kind kind = i / 4 % 2 ? SCENE_CHEMISTRY : SCENE_LIGHTNING;
+        struct stage *stage = a_stage(seconds[i / 8], 345600);
+        stage->exhibit.scenes[0].kind = (int)kind;
+        stage->exhibit.scenes[0].options = scene_options_default(kind);
+        stage->exhibit.scenes[0].options.lightning = storm_preset(i % 4 < 2 ? BOLT_LIGHTNING : BOLT_CORAL);
+        struct attract *attract = attract_create(&stage->exhibit, (uint64_t)i);
+        play(attract, 0, 1.7778f, played);
+        uint64_t print = attract_fingerprint(attract);
+        int hands = 0, deeds = 0;
+        for (int k = 0; k < played->count; k++) {
+            const struct action *action = &played->actions[k];
+            assert_int_equal(scene_kind_of(action->verb), kind);
+            assert_true(!action->has_at || on_sheet(action->at));
+            hands += action->verb == ACTION_ATTRACT ? action->has_at ? 1 : -1 : 0;
+            deeds += action->verb == ACTION_STRIKE || action->verb == ACTION_DOSE;
+            assert_true(hands == 0 || hands == 1);
+            struct action legal = action_legal(action);
+            assert_memory_equal(&legal.radius, &action->radius, sizeof legal.radius);
+        }
+        assert_int_equal(hands, 0);
+        assert_true(deeds >= 1 && played->actions[0].tick <= 3 * RATE);
+        assert_true((float)played->ticks <= seconds[i / 8] * RATE);
+        attract_begin(attract, 0, 1.7778f);
+        assert_true(attract_fingerprint(attract) != print);
+        attract_destroy(attract);
+        free(stage);
+    }
+    free(played);
+}
+
 /* The recorded ones among `count` sessions, by `each`. */
 static int play_recorded(struct stage *stage, int count, void (*each)(const struct played *, int *), int *tally)
 {
@@ -438,11 +476,9 @@ static void scenes_of_trees_are_planted_and_tended(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sessions_are_legal_on_every_sheet),
-        cmocka_unit_test(sessions_are_composed),
-        cmocka_unit_test(no_two_of_a_day_are_the_same),
-        cmocka_unit_test(recorded_sessions_are_varied),
-        cmocka_unit_test(a_hand_paints),
+        cmocka_unit_test(sessions_are_legal_on_every_sheet),      cmocka_unit_test(sessions_are_composed),
+        cmocka_unit_test(storms_and_dishes_are_performed),        cmocka_unit_test(no_two_of_a_day_are_the_same),
+        cmocka_unit_test(recorded_sessions_are_varied),           cmocka_unit_test(a_hand_paints),
         cmocka_unit_test(scenes_of_trees_are_planted_and_tended),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -46,7 +46,7 @@ static void make_context(struct bench *bench)
     struct shader_error error = {""};
     bench->display = gpu_display();
     bench->panel = texture_create(
-        &(struct texture_def){TEXTURE_RGBA8, TEXTURE_NEAREST, bench->panel_width, bench->panel_height, 0});
+        &(struct texture_def){TEXTURE_RGBA8, TEXTURE_NEAREST, bench->panel_width, bench->panel_height, 0, false});
     glGenFramebuffers(1, &bench->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, bench->framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, bench->panel, 0);

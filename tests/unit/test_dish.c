@@ -303,6 +303,28 @@ static void combs(void **state)
     }
 }
 
+/* Right and down, not right and up. */
+static void slants(void **state)
+{
+    (void)state;
+    static float along[2 * CELLS];
+    struct dish *dish = fresh();
+    double same = 0, all = 0;
+    do_react(dish, "preset", 7);
+    for (int i = 0; i < 2 * CELLS; i++) {
+        raster[i] = -1;
+    }
+    do_raster(dish, ACTION_GUIDE, false, 2);
+    go(dish, 150);
+    assert_true(dish_type.field(dish, FIELD_ALONG, WIDTH, HEIGHT, along));
+    for (int i = 0; i < CELLS; i++) {
+        same += (double)(along[i] * along[CELLS + i]);
+        all += fabs((double)(along[i] * along[CELLS + i]));
+    }
+    assert_true(same > 0.8 * all && all > 0.2 * CELLS);
+    dish_destroy(dish);
+}
+
 static void styles(void **state)
 {
     (void)state;
@@ -549,10 +571,10 @@ static void repeats(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(table),   cmocka_unit_test(starts), cmocka_unit_test(ends),   cmocka_unit_test(doses),
-        cmocka_unit_test(takes),   cmocka_unit_test(combs),  cmocka_unit_test(styles), cmocka_unit_test(washes),
-        cmocka_unit_test(freezes), cmocka_unit_test(sizes),  cmocka_unit_test(looks),  cmocka_unit_test(fields),
-        cmocka_unit_test(repeats),
+        cmocka_unit_test(table),  cmocka_unit_test(starts),  cmocka_unit_test(ends),   cmocka_unit_test(doses),
+        cmocka_unit_test(takes),  cmocka_unit_test(combs),   cmocka_unit_test(slants), cmocka_unit_test(styles),
+        cmocka_unit_test(washes), cmocka_unit_test(freezes), cmocka_unit_test(sizes),  cmocka_unit_test(looks),
+        cmocka_unit_test(fields), cmocka_unit_test(repeats),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

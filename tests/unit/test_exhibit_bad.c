@@ -292,9 +292,19 @@ static const struct script_case BAD[] = {
            "scenes:\n"
            "  - id: a\n"
            "    kind: chemistry\n"
-           "    opening: [{strike: {}}, {tick: 3, dose: {}}, {undo: {}}, {dose: {radius: 0}}, dose]\n"
+           "    opening:\n"
+           "      - strike: {at: [0.5, 0.5]}\n"
+           "      - {tick: 3, dose: {at: [0.5, 0.5]}}\n"
+           "      - undo: {}\n"
+           "      - dose: {at: [0.5, 0.5], radius: 0}\n"
+           "      - dose\n"
            "  - {id: b, opening: {drop: {}}}\n"),
-     "s.yaml:5:15: scenes[0].opening[0].strike: does nothing to a fresh sheet of a scene of chemistry; another verb\n"},
+     "s.yaml:6:9: scenes[0].opening[0].strike: does nothing to a fresh sheet of a scene of chemistry; another verb\n"
+     "s.yaml:7:10: scenes[0].opening[1].tick: it is done at once on a fresh sheet; an action without a tick\n"
+     "s.yaml:8:9: scenes[0].opening[2].undo: does nothing to a fresh sheet of a scene of chemistry; another verb\n"
+     "s.yaml:9:40: scenes[0].opening[3].dose.radius: 0 is out of range; 0.5 to 512 cells\n"
+     "s.yaml:10:9: scenes[0].opening[4]: 'dose' where an action should be; {verb: {...}}\n"
+     "s.yaml:11:22: scenes[1].opening: a mapping; a list of {verb: {...}}\n"},
     {"a palette of nobody",
      BYTES("exhibit: 1\n"
            "scenes:\n"

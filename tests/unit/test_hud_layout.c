@@ -13,6 +13,7 @@
 
 #include "hud_case.h"
 #include "hud_layout.h"
+#include "hud_map.h"
 
 static bool touching(const struct hud_button *a, const struct hud_button *b, float gap)
 {
@@ -134,6 +135,8 @@ static void find_all(const struct hud *hud, int panel)
     }
     if (kind == SCENE_TREES) {
         find_kind(hud, panel, HUD_PICTURE, 0, HUD_PICTURE);
+    }
+    if (kind != SCENE_PAINTING) {
         find_kind(hud, panel, HUD_METAPHOR, 0, HUD_PICTURE);
     }
     find_kind(hud, panel, HUD_UNDO, 0, HUD_KINDS);
@@ -180,14 +183,14 @@ static void everything_fits_on_every_screen(void **state)
     (void)state;
     for (int s = 0; s < HUD_SCREENS; s++) {
         for (int side = SIDE_OF_LEFT; side <= SIDE_OF_BOTTOM; side++) {
-            for (int tools = 1; tools <= TOOLS; tools++) { /* with those of trees, in a scene of trees */
+            for (int tools = 1; tools <= TOOLS; tools++) { /* in a scene of the last one's kind */
                 struct hud_case place;
                 struct hud hud;
                 hud_case_init(&place, &hud_screens[s], (enum exhibit_side)side);
                 for (int i = tools; i < TOOLS; i++) {
                     place.exhibit.palette.tools[i] = false;
                 }
-                place.exhibit.scenes[0].kind = tools > TOOL_PLANT ? SCENE_TREES : SCENE_PAINTING;
+                place.exhibit.scenes[0].kind = (int)exhibit_tool_kinds[tools - 1];
                 place.exhibit.pictures = "pictures";
                 place.exhibit.palette.target = tools % 2 ? 15 : 18;
                 struct hud_def def = hud_case_def(&place, &hud_screens[s]);
@@ -440,6 +443,57 @@ static void the_staff_have_two_large_buttons(void **state)
     }
 }
 
+/* Beside its palette, on its seat's part of the sheet, large enough for a fingertip to tell patterns apart. */
+static void check_map(const struct hud *hud, const struct hud_screen *screen, int panel)
+{
+    const struct hud_panel *of = &hud->panels[panel];
+    const float *zone = hud->def.exhibit->seats[panel].zone;
+    float place[4], mm = (float)screen->columns / screen->width, few = 1.5f;
+    assert_true(hud_map_place(hud, panel, place));
+    assert_true(place[2] >= 40 * mm && place[2] <= 150 * mm + few);
+    assert_true(place[0] >= zone[0] * (float)screen->columns - few);
+    assert_true(place[0] + place[2] <= zone[2] * (float)screen->columns + few);
+    assert_true(place[1] >= zone[1] * (float)screen->rows - few);
+    assert_true(place[1] + place[3] <= zone[3] * (float)screen->rows + few);
+    bool across = place[0] < of->x + of->width && of->x < place[0] + place[2];
+    bool down = place[1] < of->y + of->height && of->y < place[1] + place[3];
+    assert_false(across && down);
+    struct hud copy = *hud;
+    struct hud_press press;
+    bool pressed;
+    int options[2];
+    float rates[2];
+    float x = place[0] + 0.5f * place[2], y = place[1] + 0.4f * place[3];
+    struct event down_there = finger(EVENT_DOWN, hud, x, y), up = finger(EVENT_UP, hud, x, y);
+    assert_true(hud_feel(&copy, &down_there, &press, &pressed) && !pressed);
+    assert_true(hud_map_picked(&copy, panel, options, rates) && rates[0] > 0.01f && rates[1] > 0.03f);
+    assert_true(hud_feel(&copy, &up, &press, &pressed) && !pressed);
+    assert_false(hud_map_picked(&copy, panel, options, rates));
+}
+
+static void the_map_lies_beside_its_palette(void **state)
+{
+    (void)state;
+    for (int s = 0; s < HUD_SCREENS; s++) {
+        for (int side = SIDE_OF_LEFT; side <= SIDE_OF_BOTTOM; side++) {
+            struct hud_case place;
+            struct hud hud;
+            hud_case_init(&place, &hud_screens[s], (enum exhibit_side)side);
+            place.exhibit.scenes[0].kind = SCENE_CHEMISTRY;
+            hud_case_seats(&place, hud_screens[s].width > 500 ? 2 : 1, false, (enum exhibit_side)side);
+            struct hud_def def = hud_case_def(&place, &hud_screens[s]);
+            hud_init(&hud, &def);
+            hud_show(&hud, true, 0);
+            for (int panel = 0; panel < hud.count; panel++) {
+                float none[4];
+                assert_false(hud_map_place(&hud, panel, none));
+                hud_choose(&hud, panel, TOOL_MAP, -1);
+                check_map(&hud, &hud_screens[s], panel);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -453,6 +507,7 @@ int main(void)
         cmocka_unit_test(seated_it_is_in_their_zone),
         cmocka_unit_test(what_is_not_offered_is_not_there),
         cmocka_unit_test(the_staff_have_two_large_buttons),
+        cmocka_unit_test(the_map_lies_beside_its_palette),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

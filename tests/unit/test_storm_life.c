@@ -41,7 +41,7 @@ static struct storm *grown(enum bolt_kind kind, int particles)
 static void water_takes_what_it_passes(void **state)
 {
     (void)state;
-    struct storm *storm = grown(BOLT_LICHTENBERG, 2000);
+    struct storm *storm = grown(BOLT_CITY, 2000);
     int all = seen(storm, 200, 0.5f, 0.5f, 1000), there = seen(storm, 200, 0.6f, 0.5f, 8);
     int since;
     (void)storm_view(storm, 200, &since);
@@ -88,10 +88,13 @@ static void a_cut_branch_does_not_float(void **state)
     struct action rinse = action_default(ACTION_RINSE);
     rinse.has_at = true;
     rinse.at = (struct point){0.5f, 0.5f};
-    rinse.radius = 100;
+    rinse.radius = 140;
     rinse.strength = 1;
-    storm_act(storm, 20, &rinse);
-    storm_case_ticks(storm, 20, 90);
+    for (int64_t tick = 20; tick < 40; tick++) {
+        storm_act(storm, tick, &rinse);
+        storm_case_ticks(storm, tick, tick + 1);
+    }
+    storm_case_ticks(storm, 40, 90);
     assert_int_equal(storm->count, 0);
     assert_true(storm_is_calm(storm, 90));
     storm_destroy(storm);
@@ -235,17 +238,14 @@ static void all_is_bounded(void **state)
     storm_destroy(storm);
 }
 
-/* With no room for more particles the oldest gives way, and fades. */
+/* With one more than there may be, the oldest gives way, and fades. */
 static void the_oldest_gives_way(void **state)
 {
     (void)state;
     struct storm *storm = grown(BOLT_LICHTENBERG, 1500);
-    storm->bolts[0].count += STORM_PARTICLES; /* as if it were large; nothing is read beyond what it has */
-    int64_t large = storm_particles(storm);
-    storm->bolts[0].count -= STORM_PARTICLES;
-    assert_true(large > STORM_PARTICLES);
+    storm_case_set(storm, 200, "particles", 60);
     for (int i = 0; i < STORM_BOLTS; i++) {
-        storm_case_set(storm, 200 + i, "particles", 60);
+        assert_false(storm->bolts[0].leaves);
         storm_case_strike(storm, 200 + i, 2, (float)(i % 6) / 6, (float)(i / 6) / 4);
         storm_case_ticks(storm, 200 + i, 201 + i);
     }
@@ -253,6 +253,31 @@ static void the_oldest_gives_way(void **state)
     assert_true(first->lives && first->leaves && first->gone < STORM_AGES && seen(storm, 224, 0.5f, 0.5f, 30) > 100);
     storm_case_ticks(storm, 224, 290);
     assert_int_equal(storm_type.can_undo(storm), 1 << 2);
+    storm_destroy(storm);
+}
+
+/* So it does where there are as many particles as there may be; the newest grows on. */
+static void particles_are_bounded(void **state)
+{
+    (void)state;
+    struct storm *storm = grown(BOLT_LICHTENBERG, 1500);
+    assert_int_equal(storm->most, STORM_PARTICLES);
+    storm->most = 2500;
+    storm_case_set(storm, 200, "particles", 1400);
+    storm_case_set(storm, 200, "pace", 30);
+    storm_case_strike(storm, 200, 2, 0.2f, 0.5f);
+    bool left = false;
+    for (int64_t tick = 200; tick < 400; tick++) {
+        storm_case_ticks(storm, tick, tick + 1);
+        assert_true(storm_particles(storm) <= storm->most);
+        left = left || storm->bolts[0].leaves;
+    }
+    assert_true(left && !storm->bolts[0].lives && storm_is_calm(storm, 400));
+    assert_int_equal(storm_particles(storm), 1400);
+    storm_case_set(storm, 400, "particles", 4000); /* alone, it ends there */
+    storm_case_strike(storm, 400, 2, 0.7f, 0.5f);
+    storm_case_until_calm(storm, 400, 700);
+    assert_true(storm_particles(storm) == storm->most && storm_is_calm(storm, 700));
     storm_destroy(storm);
 }
 
@@ -395,9 +420,9 @@ static void the_same_actions_make_the_same(void **state)
         enum bolt_kind kind;
         uint64_t hash;
     } CASES[] = {
-        {BOLT_LIGHTNING, UINT64_C(0)},
-        {BOLT_CORAL, UINT64_C(0)},
-        {BOLT_CITY, UINT64_C(0)},
+        {BOLT_LIGHTNING, UINT64_C(0x44df0cbe7200360b)},
+        {BOLT_CORAL, UINT64_C(0x6990258971bff6af)},
+        {BOLT_CITY, UINT64_C(0x01d14a478aacd27e)},
     };
     bool good = true;
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
@@ -418,6 +443,7 @@ int main(void)
         cmocka_unit_test(flashes_are_few),
         cmocka_unit_test(all_is_bounded),
         cmocka_unit_test(the_oldest_gives_way),
+        cmocka_unit_test(particles_are_bounded),
         cmocka_unit_test(nothing_breaks_it),
         cmocka_unit_test(fields_say_where_it_is),
         cmocka_unit_test(another_grid_keeps_what_has_grown),
