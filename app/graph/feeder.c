@@ -150,12 +150,13 @@ const struct outcome *feeder_outcome(struct feeder *feeder, int scene, int tick,
     }
     struct feeder_session *session = calloc(1, sizeof *session);
     struct outcome outcome = {.width = 0};
-    bool good = (session || file_fail(error, "the scene", "memory is short")) &&
-                feeder_open(feeder, scene, tick, session, error) &&
-                outcome_grow(&outcome, &session->script, tick, feeder->def.threads, feeder->def.stop, error);
-    if (session) {
-        feeder_close(session);
+    if (!session) {
+        file_fail(error, "the scene", "memory is short");
+        return NULL;
     }
+    bool good = feeder_open(feeder, scene, tick, session, error) &&
+                outcome_grow(&outcome, &session->script, tick, feeder->def.threads, feeder->def.stop, error);
+    feeder_close(session);
     free(session);
     if (!good) {
         return NULL;

@@ -69,7 +69,7 @@ bool hand_picture(struct outcome *outcome, const uint8_t *rgb, int width, int he
     float *spare = malloc((size_t)count * sizeof *spare);
     bool good = spare;
     for (int i = 0; i < SCENE_FIELDS; i++) {
-        outcome->fields[i] = malloc((size_t)(count * scene_field_channels((enum scene_field)i)) * sizeof(float));
+        outcome->fields[i] = calloc((size_t)count * (size_t)scene_field_channels((enum scene_field)i), sizeof(float));
         good = good && outcome->fields[i];
     }
     float *dark = outcome->fields[FIELD_DARK], *around = outcome->fields[FIELD_AROUND];

@@ -23,7 +23,7 @@ static bool open_fields(struct outcome *outcome, int width, int height)
     *outcome = (struct outcome){.width = width, .height = height};
     for (int i = 0; i < SCENE_FIELDS; i++) {
         size_t count = cells * (size_t)scene_field_channels((enum scene_field)i);
-        outcome->fields[i] = malloc(count * sizeof(float));
+        outcome->fields[i] = calloc(count, sizeof(float));
         good = good && outcome->fields[i];
     }
     if (!good) {

@@ -197,6 +197,19 @@ expect 0 explain
 for word in frond canvas alpha_a brush_solvent "  moss" "  ochre" "  reef"; do
     grep -q -- "$word" out.txt || fail "$last: lacks $word"
 done
+expect 0 explain graph "$data"/../../config/exhibits/cracked-glaze.yaml
+prints "  ├─ dark ──▶ mask of glaze: growth keeps to it"
+expect 0 explain graph "$data"/../../config/exhibits/cracked-glaze.yaml --dot
+prints '  "cracks" -> "glaze" [taillabel = "dark", headlabel = "mask"];'
+expect 2 explain graph
+says "frond explain graph: no exhibit is given; see frond explain --help"
+expect 2 explain clear --json
+says "frond explain: --json and --dot are for graph EXHIBIT; see frond explain --help"
+printf 'exhibit: 1\nsheet: {cells: 16384}\nscenes: [{id: a, opening: [{drop: {at: [0.5, 0.5], ink: cobalt}}]}]\n' >fed.yaml
+expect 2 render fed.yaml --scene b -o fed.png
+says "frond render: --scene: no scene is called 'b'; one of a"
+expect 0 render fed.yaml --scene a --ticks 20 -o fed.png
+quiet
 expect 0 explain clear
 prints "clear: A fresh sheet."
 

@@ -63,7 +63,8 @@ void figure_storm(struct figure *figure);     /* figure_storm.c */
 void figure_light(struct figure *figure);     /* figure_light.c */
 void figure_chemistry(struct figure *figure); /* figure_chemistry.c */
 void figure_classes(struct figure *figure);
-void figure_dish(struct figure *figure); /* figure_dish.c */
+void figure_dish(struct figure *figure);        /* figure_dish.c */
+void figure_composition(struct figure *figure); /* figure_composition.c */
 
 /* Prints "ok" or "FAIL", the name of the group and the text; counts. Returns `holds`. */
 bool figure_check(struct figure *figure, bool holds, const char *text, ...) __attribute__((format(printf, 3, 4)));

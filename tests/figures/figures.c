@@ -53,6 +53,7 @@ static const struct figure_group GROUPS[] = {
     {"light", "Laplacian growth as light, lines and bodies", figure_light},
     {"chemistry", "Gray-Scott: the figures of the article", figure_chemistry},
     {"classes", "Gray-Scott: Pearson's classes and the map of feed and kill", figure_classes},
+    {"composition", "One scene as what another grows from", figure_composition},
     {"dish", "A dish: what visitors do to the chemistry", figure_dish},
     {"gpu", "the GPU engine grows the same dendrite", figure_gpu},
 };
