@@ -130,7 +130,7 @@ static void draw_coral(struct figure *figure, struct sheet *sheet)
         int64_t tick = 0;
         conduct(storm, 0, "turn", 0);
         if (which > 0) {
-            lay_hand(storm, 0, ACTION_ATTRACT, 2, 0.95f, 0.45f, which == 1 ? 500 : -500);
+            lay_hand(storm, 0, ACTION_ATTRACT, 2, 0.95f, 0.45f, which == 1 ? 900 : -900);
         }
         lay_hand(storm, 0, ACTION_STRIKE, 1, 0.5f, 0.9f, 0);
         ticks(storm, &tick, 420);
@@ -143,8 +143,8 @@ static void draw_coral(struct figure *figure, struct sheet *sheet)
         }
         storm_destroy(storm);
     }
-    figure_check(figure, side[1] > side[0] + 0.01 && side[2] < side[0] - 0.01,
-                 "in the middle %.2f, attracted %.2f, repelled %.2f", side[0], side[1], side[2]);
+    figure_check(figure, side[1] > side[2] + 0.03, "in the middle %.2f, attracted %.2f, repelled %.2f", side[0],
+                 side[1], side[2]);
 }
 
 static void draw_rivers(struct figure *figure, struct sheet *sheet)
