@@ -14,7 +14,8 @@ _Static_assert(sizeof(struct bolt_segment) == 12 * sizeof(float), "a segment is 
 enum { ATTRIBUTES = 3, FROM_LEVEL = 0, FROM_LIGHT = 1, FROM_BODIES = 2 };
 /* Locations of uniforms, as the shaders have them. */
 enum { AT_TURN, AT_EYE, AT_SCALE, AT_LIFE, AT_LOOK, AT_SIZE };
-enum { AT_PANEL, AT_PANEL_TURN, AT_COLOUR, AT_CORE, AT_GROUND, AT_ASIDE = 2 };
+enum { AT_PANEL, AT_PANEL_TURN, AT_COLOUR, AT_CORE, AT_GROUND, AT_OPACITY };
+enum { AT_ASIDE = 2, AT_SHARE }; /* of what shows */
 
 /* When segments of a block are there, ticks since view->tick. */
 struct block {
@@ -27,7 +28,7 @@ struct bolt_light_gpu {
     unsigned buffer, attributes;
     int count, room; /* segments */
     struct block *blocks;
-    float scale;
+    float scale, opacity;
     struct bolt_targets targets;
     uint64_t uploaded;
 };
@@ -58,7 +59,7 @@ struct bolt_light_gpu *bolt_light_gpu_create(const struct shader_folder *folder,
         shader_fail(error, "memory is short for light");
         return NULL;
     }
-    light->scale = 1;
+    light->scale = light->opacity = 1;
     if (!make_programs(light, folder, error)) {
         bolt_light_gpu_destroy(light);
         return NULL;
@@ -89,6 +90,11 @@ void bolt_light_gpu_destroy(struct bolt_light_gpu *light)
 void bolt_light_gpu_scale(struct bolt_light_gpu *light, float scale)
 {
     light->scale = fminf(fmaxf(scale, 0.25f), 2);
+}
+
+void bolt_light_gpu_opacity(struct bolt_light_gpu *light, float opacity)
+{
+    light->opacity = fminf(fmaxf(opacity, 0), 1);
 }
 
 static GLsizeiptr bytes_of(int segments)
@@ -285,18 +291,18 @@ static void sum_levels(const struct bolt_light_gpu *light)
     }
 }
 
-static void set_blend(const struct bolt_view *view, int style)
+static void set_blend(const struct bolt_view *view, int style, float opacity)
 {
-    if (view->clear) {
+    if (view->clear || opacity < 1) {
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
-        glBlendFunc(GL_ONE, style == BOLT_GLOW ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
+        glBlendFunc(GL_ONE, view->clear && style == BOLT_GLOW ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
     }
 }
 
 /* Onto what is bound. */
 static void paint(const struct bolt_light_gpu *light, const struct bolt_view *view, int width, int height,
-                  const float turn[4])
+                  const float turn[4], float opacity)
 {
     const struct bolt_targets *targets = &light->targets;
     const struct bolt_look *look = &view->look;
@@ -306,6 +312,7 @@ static void paint(const struct bolt_light_gpu *light, const struct bolt_view *vi
     glUniform4f(AT_COLOUR, look->colour[0], look->colour[1], look->colour[2], view->clear ? 1 : 0);
     glUniform4f(AT_CORE, look->core[0], look->core[1], look->core[2], view->flash);
     glUniform4f(AT_GROUND, look->ground[0], look->ground[1], look->ground[2], 0);
+    glUniform1f(AT_OPACITY, opacity);
     take(0, targets->samples.texture);
     take(1, targets->depths);
     take(2, targets->levels > 0 ? targets->sum[1].texture : 0);
@@ -320,6 +327,7 @@ static void show(const struct bolt_light_gpu *light, int panel_width, int panel_
     glUniform2i(AT_PANEL, panel_width, panel_height);
     glUniformMatrix2fv(AT_PANEL_TURN, 1, GL_FALSE, turn);
     glUniform2f(AT_ASIDE, exact ? 0.5f / (float)picture->width : 0, exact ? 0.5f / (float)picture->height : 0);
+    glUniform1f(AT_SHARE, light->opacity);
     take(0, picture->texture);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -351,14 +359,14 @@ bool bolt_light_gpu_present(struct bolt_light_gpu *light, const struct bolt_view
     if (picture) {
         static const float upright[4] = {1, 0, 0, -1}; /* row 0 at the top */
         show_target(light->targets.picture.framebuffer, width, height);
-        paint(light, view, width, height, upright);
+        paint(light, view, width, height, upright, 1);
     }
     show_target(framebuffer, panel_width, panel_height);
-    set_blend(view, style);
+    set_blend(view, style, light->opacity);
     if (picture) {
         show(light, panel_width, panel_height, turn, exact);
     } else {
-        paint(light, view, panel_width, panel_height, turn);
+        paint(light, view, panel_width, panel_height, turn, light->opacity);
     }
     glActiveTexture(GL_TEXTURE0);
     glDisable(GL_BLEND);

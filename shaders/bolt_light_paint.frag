@@ -6,6 +6,7 @@ layout(location = 1) uniform mat2 turn;   // from the sheet's clip coordinates t
 layout(location = 2) uniform vec4 colour; // linear; 1: no ground
 layout(location = 3) uniform vec4 core;   // linear; flash
 layout(location = 4) uniform vec4 ground; // linear; 0
+layout(location = 5) uniform float opacity;
 
 layout(binding = 0) uniform sampler2D samples;
 layout(binding = 1) uniform sampler2D depths;
@@ -76,7 +77,7 @@ void main()
     vec3 tint = mix(colour.rgb, core.rgb, clamp(1.6 * own.x - 0.2, 0.0, 1.0));
     vec3 light = shoulder(5.0 * own.x * tint + halo * (11.0 * colour.rgb + 8.0 * halo * core.rgb));
     vec3 over = encoded(1.0 - (1.0 - (clear ? vec3(0.0) : ground.rgb)) * (1.0 - light));
-    result = vec4(over + flash * (1.0 - over), 1.0); // a screen, where there is no ground
+    result = opacity * vec4(over + flash * (1.0 - over), 1.0); // a screen, where there is no ground
 #else
 #if STYLE == 1
     float within = own.x > 0.0 ? clamp(own.y / own.x, 0.0, 1.0) : 0.0;
@@ -87,6 +88,6 @@ void main()
     if (!clear) {
         own = vec4(own.rgb + (1.0 - own.a) * encoded(ground.rgb), 1.0);
     }
-    result = vec4(own.rgb + flash * (1.0 - own.rgb), own.a + flash * (1.0 - own.a));
+    result = opacity * vec4(own.rgb + flash * (1.0 - own.rgb), own.a + flash * (1.0 - own.a));
 #endif
 }

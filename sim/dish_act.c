@@ -7,56 +7,9 @@
 #include "gray_scott_state.h"
 #include "rinse.h"
 
-static struct rectangle whole(const struct dish *dish)
-{
-    return (struct rectangle){0, gray_scott_width(dish->chemistry), 0, gray_scott_height(dish->chemistry)};
-}
-
-/* The cell of a raster over the sheet in which the middle of a cell lies. */
-static int nearest(int at, int cells, int wide)
+int dish_nearest(int at, int cells, int wide)
 {
     return (int)(((float)at + 0.5f) * (float)wide / (float)cells);
-}
-
-struct laying {
-    const struct dish *dish;
-    const struct action *action;
-    const struct action_raster *raster;
-};
-
-/* Where a formula is not zero; the darker a picture is. */
-static float laid(void *context, int x, int y)
-{
-    const struct laying *laying = context;
-    const struct action_raster *raster = laying->raster;
-    int width = gray_scott_width(laying->dish->chemistry), height = gray_scott_height(laying->dish->chemistry);
-    if (raster == &laying->action->formula) {
-        size_t at = (size_t)nearest(y, height, raster->height) * (size_t)raster->width;
-        float value = raster->values[at + (size_t)nearest(x, width, raster->width)];
-        return fabsf(value) > 0 ? laying->action->strength : 0;
-    }
-    float light = chemistry_sample(raster, 0, ((float)x + 0.5f) / (float)width, ((float)y + 0.5f) / (float)height);
-    return laying->action->strength * (1 - light);
-}
-
-void dish_dose(struct dish *dish, const struct action *action)
-{
-    enum gray_scott_brush brush = action->invert ? CHEMISTRY_ERASE : CHEMISTRY_PAINT;
-    struct laying laying = {dish, action, action->formula.values ? &action->formula : &action->picture};
-    const struct action_path disc = {&action->at, 1}, *path = action->path.count > 0 ? &action->path : &disc;
-    if (action->invert && dish->fresh) {
-        return;
-    }
-    if (action->path.count == 0 && laying.raster->values) {
-        gray_scott_bring(dish->chemistry, whole(dish), laid, &laying, gray_scott_brush_state(brush));
-    } else if (action->path.count > 0 || action->has_at) {
-        float scale = (float)gray_scott_width(dish->chemistry) / (float)dish->width;
-        gray_scott_stroke(dish->chemistry, path, action->radius * scale, brush, action->strength);
-    } else {
-        return;
-    }
-    dish->fresh = dish->fresh && !(action->strength > 0);
-    dish->starts = dish->starts && dish->fresh;
 }
 
 void dish_style(struct dish *dish, const struct action *action)
@@ -90,8 +43,8 @@ struct washing {
 static float washed(void *context, int x, int y)
 {
     struct washing *washing = context;
-    int column = nearest(x, gray_scott_width(washing->dish->chemistry), washing->sheet.width);
-    int row = nearest(y, gray_scott_height(washing->dish->chemistry), washing->sheet.height);
+    int column = dish_nearest(x, gray_scott_width(washing->dish->chemistry), washing->sheet.width);
+    int row = dish_nearest(y, gray_scott_height(washing->dish->chemistry), washing->sheet.height);
     const struct rectangle *cells = &washing->rinse.cells;
     if (column < cells->x0 || column >= cells->x1 || row < cells->y0 || row >= cells->y1) {
         return 0;
@@ -114,7 +67,7 @@ void dish_rinse(struct dish *dish, const struct action *action)
     *washing = (struct washing){
         .dish = dish, .sheet = {.width = dish->width, .height = dish->height}, .strength = action->strength};
     rinse_begin(&washing->rinse, &washing->sheet, action);
-    gray_scott_bring(dish->chemistry, whole(dish), washed, washing, gray_scott_brush_state(CHEMISTRY_ERASE));
+    gray_scott_bring(dish->chemistry, dish_whole(dish), washed, washing, gray_scott_brush_state(CHEMISTRY_ERASE));
     free(washing);
 }
 

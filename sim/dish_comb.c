@@ -30,26 +30,6 @@ static void take_field(struct dish *dish, const struct action_raster *raster, fl
     }
 }
 
-/* Of the pieces of the path the nearest: the distance from a place and the direction, all in cells of the sheet. */
-static float nearest_piece(const struct dish *dish, const struct action_path *path, struct point at,
-                           struct point *along)
-{
-    float wide = (float)dish->width, high = (float)dish->height, least = 1e30f;
-    for (int i = 1; i < path->count; i++) {
-        struct point a = path->points[i - 1], b = path->points[i];
-        float dx = (b.x - a.x) * wide, dy = (b.y - a.y) * high, square = dx * dx + dy * dy;
-        float px = at.x - a.x * wide, py = at.y - a.y * high, t = square > 0 ? (px * dx + py * dy) / square : 0;
-        t = t > 0 ? t < 1 ? t : 1 : 0;
-        float ex = px - t * dx, ey = py - t * dy, distance = ex * ex + ey * ey;
-        if (square > 0 && distance < least) {
-            float length = sqrtf(square);
-            least = distance;
-            *along = (struct point){dx / length, dy / length};
-        }
-    }
-    return sqrtf(least);
-}
-
 static void take_stroke(struct dish *dish, const struct action *action)
 {
     int width = gray_scott_width(dish->chemistry), height = gray_scott_height(dish->chemistry);
@@ -64,7 +44,7 @@ static void take_stroke(struct dish *dish, const struct action *action)
             struct point at = {((float)x + 0.5f) * (float)dish->width / (float)width,
                                ((float)y + 0.5f) * (float)dish->height / (float)height},
                          to = {0, 0};
-            float share = 1 - nearest_piece(dish, &action->path, at, &to) / action->radius;
+            float share = 1 - dish_apart(dish, &action->path, at, &to) / action->radius;
             size_t i = (size_t)y * (size_t)width + (size_t)x;
             if (share <= 0) {
                 continue;

@@ -41,8 +41,16 @@ void dish_set(struct dish *dish);
 /* The chemistry on the grid that sheet and scale ask for. */
 void dish_regrid(struct dish *dish);
 
-/* dish_act.c */
+/* dish_dose.c */
 void dish_dose(struct dish *dish, const struct action *action);
+/* How far a place is from a path, both in cells of the sheet; `along`: the direction of its nearest piece, if that has
+ * one. */
+float dish_apart(const struct dish *dish, const struct action_path *path, struct point at, struct point *along);
+/* All cells of the chemistry. */
+struct rectangle dish_whole(const struct dish *dish);
+
+/* dish_act.c. Of `wide` cells over the sheet that in which the middle of a cell of `cells` lies. */
+int dish_nearest(int at, int cells, int wide);
 void dish_style(struct dish *dish, const struct action *action);
 void dish_rinse(struct dish *dish, const struct action *action);
 void dish_clear(struct dish *dish);

@@ -60,6 +60,25 @@ cmp -s trees.png bare.png && fail "$last: nothing lies over the painting"
 expect 0 replay trees.frond -o trees-print.png --scale 4
 [ "$(size_of trees-print.png)" = 640x480 ] || fail "$last: the print has $(size_of trees-print.png) pixels"
 
+# And chemistry: words, pictures and strokes, its figures, and its channels beside the painting's.
+expect 0 render "$data/sessions/chemistry.yaml" -o dish.png --stats dish.json --fields dish.exr --frames reacts --every 45 \
+    --journal dish.frond
+says ""
+expect 0 replay dish.frond -o again.png --stats again.json --frames reacts-again --every 45
+says ""
+cmp -s dish.png again.png || fail "$last: another picture than the session's"
+cmp -s dish.json again.json || fail "$last: other figures than the session's"
+cmp -s reacts/000045.png reacts-again/000045.png || fail "$last: another frame than the session's"
+cmp -s reacts/000045.png reacts/000090.png && fail "$last: nothing reacts"
+grep -q '"class": "w' dish.json || fail "$last: it is neither worms nor waves: $(grep '"class"' dish.json)"
+for channel in chemistry.u chemistry.v chemistry.along.x chemistry.dark; do
+    grep -q "$channel" dish.exr || fail "$last: no channel $channel"
+done
+sed '/react:/d; /dose:/d; /style:/d' "$data/sessions/chemistry.yaml" >bare.yaml
+expect 0 render bare.yaml -o bare.png --stats bare.json
+cmp -s dish.png bare.png && fail "$last: nothing lies over the painting"
+grep -q '"scenes"' bare.json && fail "$last: a scene without any"
+
 # A torn journal is played up to the tear, and says so; other files are refused in a line.
 head -c -9 a.frond >torn.frond
 expect 0 replay torn.frond -o torn.png
