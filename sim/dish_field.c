@@ -6,13 +6,13 @@
 #include "dish_state.h"
 #include "gray_scott_state.h"
 
-void dish_sample(const float *plane, int width, int height, int to_width, int to_height, float *values)
+void dish_sample(const float *plane, int columns, int rows, int width, int height, float *values)
 {
-    const struct action_raster raster = {plane, width, height, 1};
-    for (int y = 0; y < to_height; y++) {
-        for (int x = 0; x < to_width; x++) {
-            values[(size_t)y * (size_t)to_width + (size_t)x] =
-                chemistry_sample(&raster, 0, ((float)x + 0.5f) / (float)to_width, ((float)y + 0.5f) / (float)to_height);
+    const struct action_raster raster = {plane, columns, rows, 1};
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            values[(size_t)y * (size_t)width + (size_t)x] =
+                chemistry_sample(&raster, 0, ((float)x + 0.5f) / (float)width, ((float)y + 0.5f) / (float)height);
         }
     }
 }
