@@ -42,6 +42,11 @@ struct hall {
     int handed;   /* times that a scene was handed over, */
     int hands;    /* the last of them, */
     int taken;    /* times that a scene took what others give */
+    int cover;    /* transition that is seen now, enum transition_kind */
+    uint32_t cover_seed;
+    double cover_share;
+    double fresh_share;                                      /* of it, when the sheet was fresh last */
+    int uncovered;                                           /* frames that it takes until it is ready to be seen */
     const struct script *script;                             /* that was changed to last */
     bool (*act)(void *context, const struct action *action); /* NULL, or who does what is posted */
     void (*tick)(void *context, bool fresh);
