@@ -232,7 +232,7 @@ static const struct script_case BAD[] = {
            "  - {id: pane, leave: frieze}\n"
            "  - {id: sheet, leave: [dry]}\n"),
      "s.yaml:3:23: scenes[0].leave: unknown choice 'frieze'; did you mean freeze? One of wash, dry, freeze\n"
-     "s.yaml:4:24: scenes[1].leave: a list; one of wash, dry, freeze\n"},
+     "s.yaml:4:24: scenes[1].leave: a list where a name should be; one of wash, dry, freeze\n"},
     {"trees of a painting",
      BYTES("exhibit: 1\n"
            "scenes:\n"
