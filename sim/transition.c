@@ -94,42 +94,48 @@ static float sample(const float *values, const struct spot *spot)
     return upper + (lower - upper) * spot->down;
 }
 
-/* A colour between two, multiplied by alpha. */
-static void mix(uint8_t out[4], const float from[3], const float to[3], float share, float alpha)
+/* A colour between two, lit from the upper left, multiplied by alpha. */
+static void mix(uint8_t out[4], const float from[3], const float to[3], float share, float light, float alpha)
 {
     for (int c = 0; c < 3; c++) {
-        out[c] = (uint8_t)((from[c] + (to[c] - from[c]) * share) * alpha + 0.5f);
+        float lit = from[c] + (to[c] - from[c]) * share + light;
+        out[c] = (uint8_t)(fminf(fmaxf(lit, 0), 255) * alpha + 0.5f);
     }
     out[3] = (uint8_t)(255.0f * alpha + 0.5f);
 }
 
-/* Rime lets the painting through, branches hardly; closed, all is white but for a trace of them. */
-static void paint_frost(uint8_t over[4], uint8_t away[4], float relief)
+/* Rime lets the painting through, branches hardly; closed, all is white but for a trace of them. On white paper it is
+ * the shade of ice that is seen. */
+static void paint_frost(uint8_t over[4], uint8_t away[4], float relief, float slope)
 {
-    static const float RIME[] = {206, 221, 234}, ICE[] = {253, 254, 255}, CLOSED[] = {226, 234, 242};
-    mix(over, RIME, ICE, relief, 0.34f + 0.62f * relief);
-    mix(away, CLOSED, ICE, relief, 1);
+    static const float RIME[] = {178, 203, 226}, ICE[] = {250, 253, 255}, CLOSED[] = {205, 222, 238};
+    mix(over, RIME, ICE, relief, 70 * slope, 0.42f + 0.54f * relief);
+    mix(away, CLOSED, ICE, relief, 45 * slope, 1);
 }
 
-static void paint_dry(uint8_t over[4], uint8_t away[4], float relief)
+static void paint_dry(uint8_t over[4], uint8_t away[4], float relief, float slope)
 {
     static const float GROUND[] = {250, 248, 243}, RIM[] = {150, 128, 106};
-    mix(over, GROUND, RIM, relief, 0.86f + 0.1f * relief);
-    mix(away, GROUND, RIM, relief, 1);
+    mix(over, GROUND, RIM, relief, 12 * slope, 0.86f + 0.1f * relief);
+    mix(away, GROUND, RIM, relief, 12 * slope, 1);
 }
 
 static void paint(struct transition *transition, enum transition_kind kind, const struct transition_grid *grid)
 {
     const float last = TRANSITION_TICKS - PLATE_SOFT;
     struct plate *over = &transition->over, *away = &transition->away;
+    int step = over->width / grid->width > 1 ? over->width / grid->width : 1; /* a cell */
     for (int y = 0; y < over->height; y++) {
         for (int x = 0; x < over->width; x++) {
             struct spot spot = spot_of(grid, over, x, y);
             size_t i = (size_t)y * (size_t)over->width + (size_t)x;
             float relief = sample(grid->relief, &spot);
+            struct spot upper = spot_of(grid, over, x > step ? x - step : 0, y > step ? y - step : 0);
+            float slope = relief - sample(grid->relief, &upper);
             over->birth[i] = last * sample(grid->come, &spot);
             away->birth[i] = last * (1 - sample(grid->leave, &spot));
-            (kind == TRANSITION_FREEZE ? paint_frost : paint_dry)(over->rgba + 4 * i, away->rgba + 4 * i, relief);
+            (kind == TRANSITION_FREEZE ? paint_frost : paint_dry)(over->rgba + 4 * i, away->rgba + 4 * i, relief,
+                                                                  slope);
         }
     }
 }

@@ -109,9 +109,9 @@ static void film(struct figure *figure, struct sheet *sheet, struct stage *stage
     figure_check(figure, half.share > 0.35 && half.share < 0.7, "%s: half way %.0f %% is covered", name,
                  100 * half.share);
     if (kind == TRANSITION_FREEZE) {
-        figure_check(figure, half.edge > 18, "frost is feathered: its outline is %.1f sides of the sheet", half.edge);
+        figure_check(figure, half.edge > 14, "frost is feathered: its outline is %.1f sides of the sheet", half.edge);
     } else {
-        figure_check(figure, half.edge < 14, "what dries has one front: its outline is %.1f sides", half.edge);
+        figure_check(figure, half.edge < 9, "what dries has one front: its outline is %.1f sides", half.edge);
     }
     memcpy(stage->shown, stage->first, (size_t)PIXELS * 3);
     (void)transition_reveal(&transition, 1, stage->shown);
