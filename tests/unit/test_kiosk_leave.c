@@ -79,6 +79,7 @@ static void a_visit_ends_covered_on_a_fresh_sheet_that_is_bared(void **state)
         assert_string_equal(kiosk_state(hall->kiosk), "attract");
         assert_int_equal(hall_count(hall, before, HALL_FRESH, ACTION_VERBS), 1);
         assert_float_equal(hall->fresh_share, 1, 1e-9);
+        assert_float_equal(hall->cover_share, 1, 1e-9); /* until what was there has faded under it */
         assert_float_equal(watch(hall, 4.5, &steady), 2, 0.05);
         assert_true(steady);
         assert_false(kiosk_is_covered(hall->kiosk));
