@@ -196,10 +196,12 @@ static void next_scene(struct kiosk *kiosk)
     show_scene(kiosk, next);
 }
 
-static void begin_wash(struct kiosk *kiosk, uint64_t now_us)
+void kiosk_begin_wash(struct kiosk *kiosk, uint64_t now_us)
 {
     struct kiosk_sheet sheet = sheet_of(kiosk);
-    hand_over(kiosk);
+    if (!kiosk->leave.told) {
+        hand_over(kiosk);
+    }
     kiosk->washing = true;
     if (kiosk_leave(kiosk, now_us)) {
         return;
@@ -233,10 +235,12 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t 
         hud_show(&kiosk->hud, order->on, now_us);
         break;
     case ORDER_KEEP:
-        stage->keep(stage->context);
+        if (!kiosk->leave.told) {
+            stage->keep(stage->context);
+        }
         break;
     case ORDER_WASH:
-        begin_wash(kiosk, now_us);
+        kiosk_begin_wash(kiosk, now_us);
         break;
     case ORDER_POWER:
         kiosk->dark = !order->on;
@@ -248,7 +252,9 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t 
         kiosk->lines_us = 0;
         break;
     case ORDER_SCENE:
-        hand_over(kiosk);
+        if (!kiosk->leave.told) {
+            hand_over(kiosk);
+        }
         next_scene(kiosk);
         break;
     case ORDER_WELCOME:
@@ -282,8 +288,8 @@ static void run_wash(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
 void kiosk_gone(struct kiosk *kiosk, uint64_t now_us)
 {
     kiosk->washing = false;
-    if (!kiosk->attracting) {
-        visit_feel(&kiosk->visit, VISIT_WASHED, now_us);
+    if (kiosk->leave.asked || !kiosk->attracting) {
+        visit_feel(&kiosk->visit, kiosk->leave.asked ? VISIT_SCENE : VISIT_WASHED, now_us);
         kiosk_obey(kiosk, now_us);
         return;
     }
@@ -315,7 +321,7 @@ static void run_attract(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
         kiosk->wanted = 0;
     }
     if (attract_over(kiosk->attract, tick) || kiosk->wanted > 0) {
-        begin_wash(kiosk, now_us);
+        kiosk_begin_wash(kiosk, now_us);
         kiosk->slide_due = kiosk->exhibit->gallery.slides > 0;
     }
 }

@@ -46,7 +46,8 @@ void kiosk_leave_stop(struct kiosk *kiosk)
 {
     if (kiosk->leave.state != LEAVE_NOT) {
         show(kiosk, TRANSITION_WASH, 0);
-        kiosk->leave = (struct kiosk_leave){.seed = kiosk->leave.seed};
+        kiosk->leave =
+            (struct kiosk_leave){.seed = kiosk->leave.seed, .asked = kiosk->leave.asked, .told = kiosk->leave.told};
     }
 }
 
@@ -58,7 +59,8 @@ bool kiosk_leave(struct kiosk *kiosk, uint64_t now_us)
         return false;
     }
     if (leave->state == LEAVE_NOT) {
-        *leave = (struct kiosk_leave){LEAVE_WAITS, kind, leave->seed + 1, now_us, WAITS_US, 0, 0, false};
+        *leave = (struct kiosk_leave){
+            .state = LEAVE_WAITS, .kind = kind, .seed = leave->seed + 1, .since_us = now_us, .lasts_us = WAITS_US};
     } else if (leave->state != LEAVE_WAITS && leave->state != LEAVE_COVERS) { /* what is there comes again */
         double way = fabs(1 - share_at(leave, now_us));
         go(leave, LEAVE_COVERS, 1, (uint64_t)(way * (double)covers_us(kiosk)), now_us);
@@ -69,16 +71,8 @@ bool kiosk_leave(struct kiosk *kiosk, uint64_t now_us)
 /* All is covered: nobody sees what happens. */
 static void cross(struct kiosk *kiosk, uint64_t now_us)
 {
-    struct kiosk_leave *leave = &kiosk->leave;
-    bool asked = leave->asked;
-    leave->asked = false;
-    go(leave, LEAVE_HIDES, leave->to, HIDES_US, now_us);
-    if (asked) {
-        visit_feel(&kiosk->visit, VISIT_SCENE, now_us);
-        kiosk_obey(kiosk, now_us);
-    } else {
-        kiosk_gone(kiosk, now_us);
-    }
+    go(&kiosk->leave, LEAVE_HIDES, kiosk->leave.to, HIDES_US, now_us);
+    kiosk_gone(kiosk, now_us);
 }
 
 static bool is_fresh(const struct kiosk *kiosk)
@@ -126,7 +120,7 @@ void kiosk_run_leave(struct kiosk *kiosk, uint64_t now_us)
 void kiosk_leave_sheet(struct kiosk *kiosk, uint64_t now_us)
 {
     struct kiosk_leave *leave = &kiosk->leave;
-    leave->asked = false;
+    leave->asked = leave->told = false;
     if (leave->state == LEAVE_WAITS) {
         kiosk_leave_stop(kiosk);
     } else if (leave->state == LEAVE_COVERS) {
@@ -145,13 +139,22 @@ void kiosk_leave_hurry(struct kiosk *kiosk, uint64_t now_us)
 
 void kiosk_ask_scene(struct kiosk *kiosk, uint64_t now_us)
 {
-    bool dark = kiosk->visit.state == VISIT_CLOSED || kiosk->visit.state == VISIT_CLOSING || kiosk->visit.status;
-    if (dark || kiosk_scene(kiosk)->leave == TRANSITION_WASH) {
+    const struct kiosk_stage *stage = &kiosk->def.stage;
+    bool paints = visit_paints(&kiosk->visit) && kiosk->visit.state != VISIT_CLOSING;
+    bool wash = kiosk_scene(kiosk)->leave == TRANSITION_WASH;
+    if (!paints || (wash && (!kiosk->visit.painted || kiosk->leave.asked))) { /* nobody waits for water over nothing */
         visit_feel(&kiosk->visit, VISIT_SCENE, now_us);
         return;
     }
     kiosk_obey(kiosk, now_us); /* a visit may have begun by it */
-    kiosk->leave.asked = kiosk_leave(kiosk, now_us);
+    if (wash) {
+        stage->keep(stage->context);
+        kiosk_begin_wash(kiosk, now_us);
+        kiosk->leave.told = true;
+    } else {
+        kiosk_leave(kiosk, now_us);
+    }
+    kiosk->leave.asked = true;
 }
 
 void kiosk_leave_touched(struct kiosk *kiosk, uint64_t now_us)

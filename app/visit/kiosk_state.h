@@ -30,7 +30,8 @@ struct kiosk_leave {
     uint32_t seed;
     uint64_t since_us, lasts_us; /* of the state */
     double from, to;             /* share of the transition at its beginning and end */
-    bool asked;                  /* the next scene has been asked for, and comes when all is covered */
+    bool asked;                  /* the next scene has been asked for, and comes when all is covered, or washed */
+    bool told;                   /* what is being washed for it has been kept and handed over */
 };
 
 struct kiosk {
@@ -138,6 +139,8 @@ void kiosk_ask_scene(struct kiosk *kiosk, uint64_t now_us);
 void kiosk_leave_touched(struct kiosk *kiosk, uint64_t now_us);
 
 /* kiosk.c */
+/* The sheet goes as its scene does. */
+void kiosk_begin_wash(struct kiosk *kiosk, uint64_t now_us);
 /* The sheet is washed, or covered: what comes then. */
 void kiosk_gone(struct kiosk *kiosk, uint64_t now_us);
 void kiosk_layout(struct kiosk *kiosk);

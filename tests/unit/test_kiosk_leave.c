@@ -79,6 +79,7 @@ static void a_visit_ends_covered_on_a_fresh_sheet_that_is_bared(void **state)
         assert_string_equal(kiosk_state(hall->kiosk), "attract");
         assert_int_equal(hall_count(hall, before, HALL_FRESH, ACTION_VERBS), 1);
         assert_float_equal(hall->fresh_share, 1, 1e-9);
+        assert_float_equal(hall->cover_share, 1, 1e-9); /* until what was there has faded under it */
         assert_float_equal(watch(hall, 4.5, &steady), 2, 0.05);
         assert_true(steady);
         assert_false(kiosk_is_covered(hall->kiosk));
@@ -158,6 +159,34 @@ static void a_scene_that_is_asked_for_comes_under_cover(void **state)
     hall_close(hall);
 }
 
+/* Water, too: kept before, washed, and then the other one; who does not wait has it at once. */
+static void a_scene_that_is_asked_for_comes_after_the_wash(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct hall *hall = hall_open(EXHIBIT("wash", "freeze"));
+        hall_wait(hall, 1);
+        if (i < 2) {
+            hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
+        }
+        hall_wait(hall, 3);
+        int before = hall->count;
+        hall_button(hall, NEXT, 0.1);
+        hall_wait(hall, 2);
+        if (i == 1) {
+            hall_tap(hall, MIDDLE.x, MIDDLE.y, 0);
+        }
+        assert_string_equal(scene_of(hall), i == 0 ? "a" : "b"); /* with nothing on it, at once */
+        assert_int_equal(hall_count(hall, before, HALL_KEEP, ACTION_VERBS), i < 2);
+        assert_true((hall_count(hall, before, HALL_POST, ACTION_RINSE) > 5) == (i < 2));
+        hall_wait(hall, 3);
+        assert_string_equal(scene_of(hall), "b");
+        assert_string_equal(kiosk_state(hall->kiosk), "painting");
+        assert_int_equal(hall_count(hall, before, HALL_KEEP, ACTION_VERBS), i < 2);
+        hall_close(hall);
+    }
+}
+
 /* A touch falls on a fresh sheet in the same turn, as in a wash; the frost goes back, quickly but not at once. */
 static void a_touch_meanwhile_does_not_wait(void **state)
 {
@@ -226,6 +255,7 @@ int main(void)
         cmocka_unit_test(a_wash_is_a_wash),
         cmocka_unit_test(attract_goes_from_scene_to_scene_under_cover),
         cmocka_unit_test(a_scene_that_is_asked_for_comes_under_cover),
+        cmocka_unit_test(a_scene_that_is_asked_for_comes_after_the_wash),
         cmocka_unit_test(a_touch_meanwhile_does_not_wait),
         cmocka_unit_test(a_stage_may_take_its_time),
     };
