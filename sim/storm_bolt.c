@@ -244,6 +244,8 @@ static void strike_home(struct storm *storm, struct storm_bolt *bolt)
     }
     if (may_flash(storm)) {
         flash(storm, FLASH);
+    } else {
+        bolt->dim = storm->def.thickness > STORM_BROAD;
     }
     uint32_t chance = random_bits((int)bolt->serial, 1, (uint32_t)storm->def.seed, RANDOM_PLACE);
     int64_t at = storm->now;
@@ -414,8 +416,11 @@ static void age(struct storm *storm, int slot)
     }
     for (int i = 0; i < bolt->agains; i++) {
         if (bolt->again[i] == storm->now && bolt->undone == 0 && !bolt->leaves) {
-            storm->failed = !storm_show_again(storm, slot) || storm->failed;
-            if (may_flash(storm)) {
+            bool may = may_flash(storm);
+            if (may || !(storm->def.thickness > STORM_BROAD)) {
+                storm->failed = !storm_show_again(storm, slot) || storm->failed;
+            }
+            if (may) {
                 flash(storm, FLICKER);
             }
         }

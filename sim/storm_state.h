@@ -16,8 +16,9 @@ enum {
     STORM_SWELL = 60,    /* ticks in which a bolt that is complete before its time becomes as thick as it is to be */
     STORM_FLASH = 14,    /* ticks that a flash lasts */
 };
-#define STORM_ECHO 0.6f      /* of a strike's life: each restrike */
-#define STORM_AGES INT64_MAX /* a tick that never comes */
+#define STORM_BROAD 2.0f      /* thickness above which light fills a place: it comes with flashes, or dimmed */
+#define STORM_ECHO  0.6f      /* of a strike's life: each restrike */
+#define STORM_AGES  INT64_MAX /* a tick that never comes */
 
 struct storm_node {
     float at[3];   /* cells of its growth, about the middle of the sheet */
@@ -33,6 +34,7 @@ struct storm_bolt {
     bool lives;     /* the slot is taken */
     bool complete;  /* it grows no more */
     bool leaves;    /* it has been pushed out, and fades */
+    bool dim;       /* it has struck where it might not flash, and is broad */
     int64_t serial; /* of what visitors have done */
     int64_t undone; /* when it was taken back, above 0 */
     int visitor;
