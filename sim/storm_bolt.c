@@ -53,6 +53,9 @@ int64_t storm_particles(const struct storm *storm)
 
 static void forget(struct storm *storm, int slot)
 {
+    if (storm->bolts[slot].undone == 0) {
+        storm_scar_keep(storm, slot);
+    }
     storm_hide(storm, slot);
     storm_bolt_free(&storm->bolts[slot]);
     storm->changed++;

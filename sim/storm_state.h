@@ -115,7 +115,8 @@ struct storm {
     float *sources;    /* scratch */
     int64_t changed;   /* potentials */
     int mask_columns, mask_rows;
-    float *mask; /* 1 where growth may go */
+    float *mask;   /* 1 where growth may go */
+    uint8_t *scar; /* on the mask's grid: how far bolts that are forgotten, but were not taken back, had covered it */
 
     struct bolt_segment *segments;
     struct storm_owner *owners;
@@ -182,7 +183,15 @@ void storm_redo(struct storm *storm, int visitor);
 void storm_forget_undone(struct storm *storm, int visitor);
 uint64_t storm_visitors(const struct storm *storm, bool undone);
 
-/* storm_field.c */
+/* storm_scar.c. A bolt is about to be forgotten: it stays what has grown. */
+void storm_scar_keep(struct storm *storm, int slot);
+void storm_scar_wash(struct storm *storm, const float *phases, float strength); /* phases: on the mask's grid */
+void storm_scar_clear(struct storm *storm);
+/* Darkens what is 1 where nothing has grown. */
+void storm_scar_lay(const struct storm *storm, int width, int height, float *values);
+
+/* storm_field.c. The slot's bolt, or all that have grown and were not taken back, faded or not (-1): 1 becomes 0. */
+void storm_field_draw(const struct storm *storm, int slot, int width, int height, float *values);
 bool storm_field(const struct storm *storm, enum scene_field which, int width, int height, float *values);
 uint64_t storm_hash(const struct storm *storm);
 
