@@ -37,6 +37,7 @@ enum {
     EXHIBIT_HOURS = 28, /* entries of the schedule */
     EXHIBIT_TAPS = 8,   /* of the staff's chain */
     EXHIBIT_FEEDS = 8,  /* inputs of a scene */
+    EXHIBIT_FILES = 96, /* pictures and sessions that it is read from */
 };
 
 struct exhibit_display {
@@ -223,6 +224,12 @@ struct exhibit {
     struct exhibit_gallery gallery;
     struct exhibit_staff staff;
     struct exhibit_mqtt mqtt;
+    /* Pictures and sessions that openings name, and those that sessions do: each by the folder of whoever names it.
+     * More than that are not watched for changes. */
+    struct exhibit_file {
+        const char *folder, *path;
+    } files[EXHIBIT_FILES];
+    int file_count;
     struct script *memory; /* texts */
 };
 
