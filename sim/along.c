@@ -149,7 +149,7 @@ bool along_of_births(const float *birth, int width, int height, float *along)
     for (int y = 0; y < height; y++) {
         for (int x = 0; x < width; x++) {
             size_t i = (size_t)y * (size_t)width + (size_t)x;
-            near[i] = birth[i] < FLT_MAX;
+            near[i] = birth[i] < FLT_MAX ? 1 : 0;
             put(along, cells, i, later(birth, width, height, x, y, false), later(birth, width, height, x, y, true), 1);
         }
     }

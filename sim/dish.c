@@ -88,16 +88,16 @@ static void see(struct dish *dish)
 }
 
 /* Values of so many cells, bilinear between those of others; `channels` of them. False when memory is short. */
-static bool refit(float **values, int channels, int width, int height, int to_width, int to_height)
+static bool refit(float **values, int channels, int columns, int rows, int width, int height)
 {
-    size_t count = (size_t)to_width * (size_t)to_height;
+    size_t count = (size_t)width * (size_t)height;
     float *other = *values ? malloc((size_t)channels * count * sizeof *other) : NULL;
     if (!other) {
         return !*values;
     }
     for (int channel = 0; channel < channels; channel++) {
-        const float *plane = *values + (size_t)channel * (size_t)width * (size_t)height;
-        dish_sample(plane, width, height, to_width, to_height, other + (size_t)channel * count);
+        const float *plane = *values + (size_t)channel * (size_t)columns * (size_t)rows;
+        dish_sample(plane, columns, rows, width, height, other + (size_t)channel * count);
     }
     free(*values);
     *values = other;
@@ -106,15 +106,15 @@ static bool refit(float **values, int channels, int width, int height, int to_wi
 
 void dish_regrid(struct dish *dish)
 {
-    int width = gray_scott_width(dish->chemistry), height = gray_scott_height(dish->chemistry);
-    int to_width = dish_cells_x(dish), to_height = dish_cells_y(dish);
-    if (width == to_width && height == to_height) {
+    int columns = gray_scott_width(dish->chemistry), rows = gray_scott_height(dish->chemistry);
+    int width = dish_cells_x(dish), height = dish_cells_y(dish);
+    if (columns == width && rows == height) {
         return;
     }
-    struct gray_scott *other = gray_scott_resampled(dish->chemistry, to_width, to_height);
-    float *seen = other ? calloc((size_t)to_width * (size_t)to_height, sizeof *seen) : NULL;
-    if (!seen || !refit(&dish->along, 2, width, height, to_width, to_height) ||
-        !refit(&dish->dry, 1, width, height, to_width, to_height)) {
+    struct gray_scott *other = gray_scott_resampled(dish->chemistry, width, height);
+    float *seen = other ? calloc((size_t)width * (size_t)height, sizeof *seen) : NULL;
+    if (!seen || !refit(&dish->along, 2, columns, rows, width, height) ||
+        !refit(&dish->dry, 1, columns, rows, width, height)) {
         gray_scott_destroy(other);
         free(seen);
         dish->failed = true;

@@ -6,15 +6,21 @@
 #include "dish_state.h"
 #include "gray_scott_state.h"
 
-void dish_sample(const float *plane, int width, int height, int to_width, int to_height, float *values)
+void dish_sample(const float *plane, int columns, int rows, int width, int height, float *values)
 {
-    const struct action_raster raster = {plane, width, height, 1};
-    for (int y = 0; y < to_height; y++) {
-        for (int x = 0; x < to_width; x++) {
-            values[(size_t)y * (size_t)to_width + (size_t)x] =
-                chemistry_sample(&raster, 0, ((float)x + 0.5f) / (float)to_width, ((float)y + 0.5f) / (float)to_height);
+    const struct action_raster raster = {plane, columns, rows, 1};
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            values[(size_t)y * (size_t)width + (size_t)x] =
+                chemistry_sample(&raster, 0, ((float)x + 0.5f) / (float)width, ((float)y + 0.5f) / (float)height);
         }
     }
+}
+
+/* A plane of the chemistry's cells. */
+static void sample_own(const struct dish *dish, const float *plane, int width, int height, float *values)
+{
+    dish_sample(plane, gray_scott_width(dish->chemistry), gray_scott_height(dish->chemistry), width, height, values);
 }
 
 static float rounded(float value)
@@ -57,9 +63,9 @@ static void turn(float cosine, float sine, float square, float *x, float *y)
 
 static bool along(const struct dish *dish, int width, int height, float *values)
 {
-    const float wide = 3; /* cells: some half a stripe */
+    const float sigma = 3; /* cells: some half a stripe */
     size_t cells = dish_cells(dish), count = (size_t)width * (size_t)height;
-    int cells_x = gray_scott_width(dish->chemistry), cells_y = gray_scott_height(dish->chemistry);
+    int columns = gray_scott_width(dish->chemistry), rows = gray_scott_height(dish->chemistry);
     float *planes = malloc((4 * cells + count) * sizeof *planes);
     if (!planes) {
         return false;
@@ -67,12 +73,12 @@ static bool along(const struct dish *dish, int width, int height, float *values)
     float *cosine = planes, *sine = planes + cells, *square = sine + cells, *spare = square + cells;
     slopes(dish, cosine, sine, square);
     for (int i = 0; i < 3; i++) {
-        blur_boxes(planes + (size_t)i * cells, spare, cells_x, cells_y, wide);
+        blur_boxes(planes + (size_t)i * cells, spare, columns, rows, sigma);
     }
     float *squares = spare + cells;
-    dish_sample(cosine, cells_x, cells_y, width, height, values);
-    dish_sample(sine, cells_x, cells_y, width, height, values + count);
-    dish_sample(square, cells_x, cells_y, width, height, squares);
+    sample_own(dish, cosine, width, height, values);
+    sample_own(dish, sine, width, height, values + count);
+    sample_own(dish, square, width, height, squares);
     for (size_t i = 0; i < count; i++) {
         float x, y;
         turn(values[i], values[count + i], squares[i], &x, &y);
@@ -85,7 +91,6 @@ static bool along(const struct dish *dish, int width, int height, float *values)
 
 bool dish_field(const struct dish *dish, enum scene_field field, int width, int height, float *values)
 {
-    int cells_x = gray_scott_width(dish->chemistry), cells_y = gray_scott_height(dish->chemistry);
     size_t cells = dish_cells(dish), count = (size_t)width * (size_t)height;
     if (field == FIELD_ALONG) {
         return along(dish, width, height, values);
@@ -95,7 +100,7 @@ bool dish_field(const struct dish *dish, enum scene_field field, int width, int 
         return false;
     }
     gray_scott_save(dish->chemistry, planes, planes + cells);
-    dish_sample(field == FIELD_DARK ? planes + cells : planes, cells_x, cells_y, width, height, values);
+    sample_own(dish, field == FIELD_DARK ? planes + cells : planes, width, height, values);
     for (size_t i = 0; i < count; i++) {
         float grown = (values[i] - dish->def.low) / (dish->def.high - dish->def.low);
         float value = field == FIELD_DARK ? 1 - grown : values[i];
@@ -111,8 +116,7 @@ bool dish_plane(const struct dish *dish, int plane, int width, int height, float
     float *planes = malloc(2 * cells * sizeof *planes);
     if (planes) {
         gray_scott_save(dish->chemistry, planes, planes + cells);
-        dish_sample(planes + (size_t)plane * cells, gray_scott_width(dish->chemistry),
-                    gray_scott_height(dish->chemistry), width, height, values);
+        sample_own(dish, planes + (size_t)plane * cells, width, height, values);
     }
     bool good = planes;
     free(planes);

@@ -67,7 +67,7 @@ void dish_comb(struct dish *dish, const struct action *action);
 void dish_make_stops(struct dish *dish);
 bool dish_lay(struct dish *dish, int64_t tick, int width, int height, uint8_t *rgb);
 /* dish_field.c. Bilinear at the middles of other cells. */
-void dish_sample(const float *plane, int width, int height, int to_width, int to_height, float *values);
+void dish_sample(const float *plane, int columns, int rows, int width, int height, float *values);
 bool dish_plane(const struct dish *dish, int plane, int width, int height, float *values);
 /* dish_figures.c */
 int dish_figures(const struct dish *dish, struct scene_figure *figures);

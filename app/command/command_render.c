@@ -219,8 +219,10 @@ static int render_exhibit(const struct order *order, const struct script_def *de
     struct feeder *feeder = feeder_create(&(struct feeder_def){exhibit, *def, order->def.threads, NULL});
     struct feeder_session *session = calloc(1, sizeof *session);
     struct file_error error;
-    bool good = scene >= 0 && ((feeder && session) || file_fail(&error, order->script, "memory is short"));
-    if (good) {
+    bool ready = feeder && session, good = scene >= 0 && ready;
+    if (!ready) {
+        file_fail(&error, order->script, "memory is short");
+    } else if (good) {
         good = feeder_open(feeder, scene, exhibit->scenes[scene].script->ticks, session, &error) &&
                render_script(order, &session->script, &error);
     }

@@ -6,8 +6,8 @@
 #include <time.h>
 
 #include "bench.h"
-#include "scene.h"
 #include "painting_gpu.h"
+#include "scene.h"
 #include "studio_sheet.h"
 
 enum { EFFORT_TICKS = 64 };

@@ -38,10 +38,10 @@ struct hall {
     int picture;  /* that is grown over */
     bool reading; /* the next one is not there yet */
     float shade;
-    bool unready; /* what scenes take from others is not ready */
-    int handed;   /* times that a scene was handed over, */
-    int hands;    /* the last of them, */
-    int taken;    /* times that a scene took what others give */
+    bool unready;                                            /* what scenes take from others is not ready */
+    int handed;                                              /* times that a scene was handed over, */
+    int hands;                                               /* the last of them, */
+    int taken;                                               /* times that a scene took what others give */
     const struct script *script;                             /* that was changed to last */
     bool (*act)(void *context, const struct action *action); /* NULL, or who does what is posted */
     void (*tick)(void *context, bool fresh);

@@ -273,6 +273,36 @@ static void other_scales(void **state)
     drop_context(bench);
 }
 
+/* All of it fades, ground and flash too. */
+static void it_lets_through(void **state)
+{
+    (void)state;
+    struct bolt_segment segments[COUNT];
+    struct bench *bench = open_bench(0, true);
+    bolt_case_fill(segments, COUNT, 2 * WIDTH, 2 * HEIGHT, true);
+    for (int i = 0; i < 2 * BOLT_STYLES; i++) {
+        enum bolt_style style = (enum bolt_style)(i / 2);
+        struct bolt_view view = view_of(style, segments);
+        static uint8_t whole[PIXELS * 3];
+        view.clear = i % 2;
+        view.flash = 0.2f;
+        set_all(bench, segments, style);
+        present(bench, &view, 1300);
+        memcpy(whole, bench->have, sizeof whole);
+        bolt_light_gpu_opacity(bench->light, 0.3f);
+        present(bench, &view, 1300);
+        for (int p = 0; p < 3 * PIXELS; p++) {
+            bench->want[p] = (uint8_t)lroundf(0.3f * (float)whole[p] + 0.7f * (float)bench->sheet[p]);
+        }
+        compare(bench, &view, 0);
+        bolt_light_gpu_opacity(bench->light, 0);
+        present(bench, &view, 1300);
+        assert_memory_equal(bench->have, bench->sheet, sizeof bench->have);
+        bolt_light_gpu_opacity(bench->light, 1);
+    }
+    drop_context(bench);
+}
+
 static void nothing_and_no_good(void **state)
 {
     (void)state;
@@ -322,6 +352,7 @@ int main(void)
         cmocka_unit_test(it_grows_turns_and_fades),
         cmocka_unit_test(bit_by_bit),
         cmocka_unit_test(other_scales),
+        cmocka_unit_test(it_lets_through),
         cmocka_unit_test(nothing_and_no_good),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,8 +1,9 @@
 /* The models of tests/bench beside the literature: what ratios are told of has to be right.
  *
- * Stated before anything was measured: seeds 1 to k. The mean has to lie within 0.1 of what is known, which aggregates
- * of so few particles are off by at the most, or no farther from that than its own error says: all at a level of 1 %
- * together, each at 1 % over their number (Bonferroni). A mean with an error above 0.1 says nothing, and fails. */
+ * Seeds 1 to k, whatever they give. The mean has to lie within 0.1 of what is known, or no farther from that than its
+ * own error lets it, all at a level of 1 % together, each at 1 % over their number (Bonferroni); a mean with an error
+ * above 0.1 says nothing, and fails. The 0.1 is for aggregates of some hundred to some thousand particles: the known
+ * figures are those of large ones, and slopes over less than a decade are off by so much. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

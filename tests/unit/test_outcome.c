@@ -142,6 +142,7 @@ static void scripts_take_sessions(void **state)
         fail_msg("%s", report_text(&report));
     }
     const struct action *actions = script->actions;
+    report_finish(&report);
     struct script *drop = parse(DROP, &report);
     struct outcome outcome;
     struct file_error error;

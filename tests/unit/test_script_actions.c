@@ -429,6 +429,18 @@ static const struct script_case ACTIONS[] = {
            "actions:\n"
            "  -\n"),
      "s.yaml:4:3: actions[0]: nothing where an action should be; {tick: N, verb: {...}}\n"},
+    {"words that are none",
+     BYTES("frond: 1\n"
+           "actions:\n"
+           "  - {tick: 1, dose: {text: [a]}}\n"
+           "  - {tick: 1, dose: {text: {at: [0.5, 2]}}}\n"
+           "  - {tick: 1, dose: {text: F, formula: x}}\n"
+           "  - {tick: 1, drop: {at: [0.5, 0.5], text: F}}\n"),
+     "s.yaml:3:28: actions[0].dose.text: a list; words, or {words: WORDS, at: [x, y], ...}; see frond explain text\n"
+     "s.yaml:4:28: actions[1].dose.text.words: missing; text, 1 to 400 bytes\n"
+     "s.yaml:4:39: actions[1].dose.text.at[1]: 2 is out of range; 0 to 1 of the sheet\n"
+     "s.yaml:5:21: actions[2].dose: both a formula and a text; one of them\n"
+     "s.yaml:6:38: actions[3].drop.text: unknown key; one of at, ink, radius, solvent, amount, edge, brush, reach\n"},
     {"all problems, by place",
      BYTES("actions:\n"
            "  - {tick: x, drop: {radius: 0, at: [2, 3]}}\n"
