@@ -233,6 +233,11 @@ bool display_begin(struct display *display)
            display->source->begin(display);
 }
 
+bool display_enter(struct display *display)
+{
+    return !display->lost && display_egl_enter(&display->egl);
+}
+
 void display_end(struct display *display)
 {
     display->drawn = true;

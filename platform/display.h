@@ -97,6 +97,9 @@ bool display_closed(const struct display *display);
 /* Whether a frame may be drawn now: the screen is there, and the last frame has been taken. Makes the context current
  * and binds the framebuffer. Never waits. Without display_end nothing has happened: the last picture stays. */
 bool display_begin(struct display *display);
+/* Makes the context current between frames, for whoever reads back what was drawn into textures of its own. False when
+ * it is lost. */
+bool display_enter(struct display *display);
 /* Presents what was drawn since display_begin, at the next vertical blank. A window may wait here for the desktop to
  * take the frame; a screen never does. */
 void display_end(struct display *display);

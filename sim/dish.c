@@ -145,6 +145,7 @@ static void take_react(struct dish *dish, const struct action *action)
     dish_take(&dish->def, action->option, action->value);
     if (dish_keys[action->option].offset == offsetof(struct dish_def, preset)) {
         dish->starts = dish->fresh;
+        dish->sows = 0;
     }
     dish_set(dish);
     dish_regrid(dish);
@@ -189,6 +190,7 @@ static void begin(struct dish *dish)
 {
     struct gray_scott_preset preset = gray_scott_presets[dish->def.preset];
     dish->starts = false;
+    dish->sows = 0;
     if (dish->def.start == DISH_START_NOTHING) {
         return;
     }
@@ -196,7 +198,9 @@ static void begin(struct dish *dish)
                    : dish->def.start == DISH_START_NOISE ? START_NOISE
                                                          : preset.start;
     preset.radius *= dish->def.reaction.size;
-    gray_scott_preset_start(dish->chemistry, &preset, (uint32_t)dish->def.reaction.seed);
+    gray_scott_preset_start(dish->chemistry, &preset, (uint32_t)dish->def.reaction.seed + (uint32_t)dish->sowings);
+    dish->sowings++;
+    dish->sown = true;
     dish->fresh = false;
 }
 
@@ -212,6 +216,17 @@ static bool is_spent(const struct dish *dish)
         }
     }
     return most < 1e-4f && least > 0.99f;
+}
+
+/* Nothing is left. What was to live for hours is sown anew. */
+static void run_out(struct dish *dish, int64_t tick)
+{
+    const struct gray_scott_preset *preset = &gray_scott_presets[dish->def.preset];
+    const struct gray_scott_def *reaction = &dish->def.reaction;
+    bool own = !(fabsf(reaction->feed - preset->feed) > 0) && !(fabsf(reaction->kill - preset->kill) > 0);
+    gray_scott_fill(dish->chemistry, 1, 0);
+    dish->fresh = true;
+    dish->sows = dish->sown && own && preset->is != CLASS_UNIFORM ? tick + DISH_BARE : 0;
 }
 
 /* The steps of a tick; where something is dry the cell keeps a share of what it was. */
@@ -250,7 +265,7 @@ static int steps_now(struct dish *dish)
 
 bool dish_tick(struct dish *dish, int64_t tick)
 {
-    if (dish->starts) {
+    if (dish->starts || (dish->sows > 0 && tick >= dish->sows)) {
         begin(dish);
     }
     if (dish->combed) {
@@ -269,8 +284,7 @@ bool dish_tick(struct dish *dish, int64_t tick)
         dish->failed = !step(dish, steps) || dish->failed;
     }
     if (tick % DISH_LOOKED == 0 && is_spent(dish)) {
-        gray_scott_fill(dish->chemistry, 1, 0);
-        dish->fresh = true;
+        run_out(dish, tick);
     }
     see(dish);
     return !dish->failed;
@@ -279,7 +293,7 @@ bool dish_tick(struct dish *dish, int64_t tick)
 bool dish_is_calm(const struct dish *dish)
 {
     bool turns = dish->def.torus && fabsf(dish->def.turn) > 0;
-    return !turns && !dish->starts && !dish->combed && (dish->fresh || dish->all_dry >= 1);
+    return !turns && !dish->starts && dish->sows == 0 && !dish->combed && (dish->fresh || dish->all_dry >= 1);
 }
 
 static uint64_t mix(uint64_t hash, const void *data, size_t size)
@@ -312,6 +326,9 @@ static uint64_t dish_hash(const struct dish *dish)
     }
     if (dish->dry) {
         hash = mix(hash, dish->dry, dish_cells(dish) * sizeof(float));
+    }
+    if (dish->sows > 0) {
+        hash = mix(hash, &dish->sows, sizeof dish->sows);
     }
     hash = mix(hash, &dish->all_dry, sizeof dish->all_dry);
     return mix(hash, &dish->owed, sizeof dish->owed);

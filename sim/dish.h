@@ -46,6 +46,8 @@ struct dish_def dish_default_def(void);
 /* Sets a value, brought into its range; another preset brings its feed and kill. */
 void dish_take(struct dish_def *def, int key, float value);
 
+/* A pattern that a preset has started is one for hours: where it has died out by itself under the preset's own rates
+ * (few cells may have such a chance) it is sown anew, as the preset starts, at other places. */
 struct dish;
 struct dish *dish_create(int width, int height); /* cells of the sheet. NULL when memory is short */
 void dish_destroy(struct dish *dish);            /* takes NULL */

@@ -56,9 +56,14 @@ static float washed(void *context, int x, int y)
 void dish_rinse(struct dish *dish, const struct action *action)
 {
     struct washing *washing = NULL;
-    if (dish->fresh || (!action->has_at && action->path.count == 0)) {
+    if (!action->has_at && action->path.count == 0) {
         return;
     }
+    dish->sows = 0;
+    if (dish->fresh) {
+        return;
+    }
+    dish->sown = false;
     washing = malloc(sizeof *washing);
     if (!washing) {
         dish->failed = true;
@@ -81,7 +86,9 @@ void dish_clear(struct dish *dish)
     dish->dry = dish->along = NULL;
     dish->all_dry = dish->owed = 0;
     dish->fresh = true;
-    dish->starts = false;
+    dish->starts = dish->sown = false;
+    dish->sowings = 0;
+    dish->sows = 0;
 }
 
 /* A share more of what is not dry yet, or less of what is. */

@@ -164,5 +164,7 @@ void dish_dose(struct dish *dish, const struct action *action)
     gray_scott_bring(dish->chemistry, area, laid, &laying,
                      action->invert ? gray_scott_brush_state(CHEMISTRY_ERASE) : DOSED);
     dish->fresh = dish->fresh && !(action->strength > 0);
+    dish->sown = dish->sown && !action->invert;
+    dish->sows = dish->fresh ? dish->sows : 0;
     dish->starts = dish->starts && dish->fresh;
 }

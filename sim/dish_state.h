@@ -7,6 +7,7 @@
 enum {
     DISH_STOPS = 16,   /* of a clear gradient */
     DISH_LOOKED = 120, /* ticks after which it is looked whether anything is left */
+    DISH_BARE = 300,   /* ticks for which a dish stays bare that has died out by itself */
 };
 
 struct dish {
@@ -16,6 +17,9 @@ struct dish {
     bool fresh;               /* u = 1, v = 0 everywhere */
     bool starts;              /* a preset was set, and it is fresh: at the tick it starts */
     bool failed;              /* memory was short */
+    bool sown;                /* as its preset starts; nobody has taken anything away since */
+    int sowings;              /* since it was clear */
+    int64_t sows;             /* it has died out, and is sown anew at that tick; 0: not so */
     struct action_raster map; /* the style, as it came; values NULL: none */
     float *style;             /* its values; owned */
     float *along;             /* what was combed: 2 * cells of the chemistry, by channel; NULL: nothing */

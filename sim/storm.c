@@ -79,6 +79,7 @@ static void clear(struct storm *storm)
     for (int i = 0; i < storm->mask_columns * storm->mask_rows; i++) {
         storm->mask[i] = 1;
     }
+    storm_scar_clear(storm);
     storm->hands_changed++;
     storm->strokes_changed = true;
     storm->count = 0;

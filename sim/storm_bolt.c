@@ -53,6 +53,9 @@ int64_t storm_particles(const struct storm *storm)
 
 static void forget(struct storm *storm, int slot)
 {
+    if (storm->bolts[slot].undone == 0) {
+        storm_scar_keep(storm, slot);
+    }
     storm_hide(storm, slot);
     storm_bolt_free(&storm->bolts[slot]);
     storm->changed++;
@@ -244,6 +247,8 @@ static void strike_home(struct storm *storm, struct storm_bolt *bolt)
     }
     if (may_flash(storm)) {
         flash(storm, FLASH);
+    } else {
+        bolt->dim = storm->def.thickness > STORM_BROAD;
     }
     uint32_t chance = random_bits((int)bolt->serial, 1, (uint32_t)storm->def.seed, RANDOM_PLACE);
     int64_t at = storm->now;
@@ -414,8 +419,11 @@ static void age(struct storm *storm, int slot)
     }
     for (int i = 0; i < bolt->agains; i++) {
         if (bolt->again[i] == storm->now && bolt->undone == 0 && !bolt->leaves) {
-            storm->failed = !storm_show_again(storm, slot) || storm->failed;
-            if (may_flash(storm)) {
+            bool may = may_flash(storm);
+            if (may || !(storm->def.thickness > STORM_BROAD)) {
+                storm->failed = !storm_show_again(storm, slot) || storm->failed;
+            }
+            if (may) {
                 flash(storm, FLICKER);
             }
         }

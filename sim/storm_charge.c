@@ -26,7 +26,8 @@ bool storm_lattice_init(struct storm *storm)
     storm->painted = calloc(places, sizeof(float));
     storm->sources = calloc(places, sizeof(float));
     storm->mask = malloc(masks * sizeof(float));
-    if (!storm->kernel || !storm->painted || !storm->sources || !storm->mask) {
+    storm->scar = calloc(masks, 1);
+    if (!storm->kernel || !storm->painted || !storm->sources || !storm->mask || !storm->scar) {
         return false;
     }
     for (int y = 0; y < storm->rows; y++) {
@@ -47,6 +48,8 @@ void storm_lattice_finish(struct storm *storm)
     free(storm->painted);
     free(storm->sources);
     free(storm->mask);
+    free(storm->scar);
+    storm->scar = NULL;
     storm->kernel = storm->painted = storm->sources = storm->mask = NULL;
 }
 

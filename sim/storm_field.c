@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "along.h"
 #include "distance.h"
 #include "storm_state.h"
 
@@ -14,10 +15,14 @@ static float rounded(float value)
     return floorf(value * 65536 + 0.5f) / 65536;
 }
 
-static bool is_there(const struct storm *storm, const struct bolt_segment *segment)
+/* It has grown, and neither water nor a visitor has taken it back; whether it has faded does not matter. */
+static bool is_there(const struct storm *storm, int i)
 {
-    float now = (float)(storm->now - storm->origin);
-    return segment->birth <= now && segment->death > now && segment->radius > 0;
+    const struct storm_owner *owner = &storm->owners[i];
+    const struct storm_bolt *bolt = &storm->bolts[owner->slot];
+    const struct bolt_segment *segment = &storm->segments[i];
+    return segment->birth <= (float)(storm->now - storm->origin) && segment->radius > 0 && bolt->undone == 0 &&
+           bolt->nodes[owner->node].left > 0;
 }
 
 /* A piece, in pixels. */
@@ -59,13 +64,10 @@ static float distance_from(const struct piece *piece, int x, int y)
     return sqrtf(px * px + py * py);
 }
 
-static void field_dark(const struct storm *storm, int width, int height, float *values)
+void storm_field_draw(const struct storm *storm, int slot, int width, int height, float *values)
 {
-    for (int i = 0; i < width * height; i++) {
-        values[i] = 1;
-    }
     for (int i = 0; i < storm->count; i++) {
-        if (!is_there(storm, &storm->segments[i])) {
+        if (!is_there(storm, i) || storm->owners[i].again || (slot >= 0 && storm->owners[i].slot != slot)) {
             continue;
         }
         struct piece piece = piece_of(storm, &storm->segments[i], width, height, 0);
@@ -77,6 +79,36 @@ static void field_dark(const struct storm *storm, int width, int height, float *
             }
         }
     }
+}
+
+static void field_dark(const struct storm *storm, int width, int height, float *values)
+{
+    for (int i = 0; i < width * height; i++) {
+        values[i] = 1;
+    }
+    storm_scar_lay(storm, width, height, values);
+    storm_field_draw(storm, -1, width, height, values);
+}
+
+/* What of it is a scar tells its direction by what it looks like. */
+static bool add_scars(const struct storm *storm, int width, int height, float *values)
+{
+    size_t count = (size_t)width * (size_t)height;
+    float *dark = malloc(3 * count * sizeof *dark), *along = dark ? dark + count : NULL;
+    for (size_t i = 0; i < count && dark; i++) {
+        dark[i] = 1;
+    }
+    if (dark) {
+        storm_scar_lay(storm, width, height, dark);
+    }
+    bool good = dark && along_of_pattern(dark, width, height, along);
+    for (size_t i = 0; i < count && good; i++) {
+        bool bare = !(fabsf(values[i]) > 0 || fabsf(values[count + i]) > 0);
+        values[i] = bare ? along[i] : values[i];
+        values[count + i] = bare ? along[count + i] : values[count + i];
+    }
+    free(dark);
+    return good;
 }
 
 /* From some particles back to this one, in pixels. */
@@ -106,7 +138,7 @@ static bool field_along(const struct storm *storm, int width, int height, float 
     for (int i = 0; i < storm->count; i++) {
         const struct bolt_segment *segment = &storm->segments[i];
         float way[2];
-        if (!is_there(storm, segment) || storm->owners[i].again) {
+        if (!is_there(storm, i) || storm->owners[i].again) {
             continue;
         }
         struct piece piece = piece_of(storm, segment, width, height, reach);
@@ -130,7 +162,7 @@ static bool field_along(const struct storm *storm, int width, int height, float 
         values[count + i] = rounded(y * scale);
     }
     free(most);
-    return true;
+    return add_scars(storm, width, height, values);
 }
 
 /* Eq. 10 over its range, from the lattice; nearer to a branch than a place of that, less by the distance. */

@@ -100,10 +100,14 @@ static float death_of(const struct storm *storm, const struct storm_bolt *bolt, 
 }
 
 /* Lines are as opaque, bodies as light everywhere; light is brighter where much comes together. */
-static float heat_of(const struct storm_bolt *bolt, const struct storm_node *node)
+static float heat_of(const struct storm *storm, const struct storm_bolt *bolt, const struct storm_node *node)
 {
     if (bolt->aims) {
-        return bolt->hit < 0 ? LEADER : node->channel ? 1 : SIDE;
+        float broad = fmaxf(storm->def.thickness / STORM_BROAD, 1), dimmed = 1 / (broad * broad);
+        if (bolt->hit < 0) {
+            return LEADER * dimmed;
+        }
+        return node->channel ? (bolt->dim ? dimmed : 1) : SIDE * dimmed;
     }
     if (bolt->look.style != BOLT_GLOW) {
         return bolt->look.style == BOLT_LINE ? 1 : BODY;
@@ -140,7 +144,7 @@ static struct bolt_segment segment_of(const struct storm *storm, const struct st
     float widest = goes_on ? parent->radius : fminf(1.3f * node->radius, parent->radius);
     struct bolt_segment segment = {.radius = scale * node->radius * node->left,
                                    .radius_from = scale * widest * node->left,
-                                   .heat = heat_of(bolt, node),
+                                   .heat = heat_of(storm, bolt, node),
                                    .leaf = scale * leaf_of(bolt, i) * node->left};
     place(storm, bolt, parent, segment.from);
     place(storm, bolt, node, segment.to);

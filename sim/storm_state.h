@@ -16,8 +16,9 @@ enum {
     STORM_SWELL = 60,    /* ticks in which a bolt that is complete before its time becomes as thick as it is to be */
     STORM_FLASH = 14,    /* ticks that a flash lasts */
 };
-#define STORM_ECHO 0.6f      /* of a strike's life: each restrike */
-#define STORM_AGES INT64_MAX /* a tick that never comes */
+#define STORM_BROAD 2.0f      /* thickness above which light fills a place: it comes with flashes, or dimmed */
+#define STORM_ECHO  0.6f      /* of a strike's life: each restrike */
+#define STORM_AGES  INT64_MAX /* a tick that never comes */
 
 struct storm_node {
     float at[3];   /* cells of its growth, about the middle of the sheet */
@@ -33,6 +34,7 @@ struct storm_bolt {
     bool lives;     /* the slot is taken */
     bool complete;  /* it grows no more */
     bool leaves;    /* it has been pushed out, and fades */
+    bool dim;       /* it has struck where it might not flash, and is broad */
     int64_t serial; /* of what visitors have done */
     int64_t undone; /* when it was taken back, above 0 */
     int visitor;
@@ -113,7 +115,8 @@ struct storm {
     float *sources;    /* scratch */
     int64_t changed;   /* potentials */
     int mask_columns, mask_rows;
-    float *mask; /* 1 where growth may go */
+    float *mask;   /* 1 where growth may go */
+    uint8_t *scar; /* on the mask's grid: how far bolts that are forgotten, but were not taken back, had covered it */
 
     struct bolt_segment *segments;
     struct storm_owner *owners;
@@ -180,7 +183,15 @@ void storm_redo(struct storm *storm, int visitor);
 void storm_forget_undone(struct storm *storm, int visitor);
 uint64_t storm_visitors(const struct storm *storm, bool undone);
 
-/* storm_field.c */
+/* storm_scar.c. A bolt is about to be forgotten: it stays what has grown. */
+void storm_scar_keep(struct storm *storm, int slot);
+void storm_scar_wash(struct storm *storm, const float *phases, float strength); /* phases: on the mask's grid */
+void storm_scar_clear(struct storm *storm);
+/* Darkens what is 1 where nothing has grown. */
+void storm_scar_lay(const struct storm *storm, int width, int height, float *values);
+
+/* storm_field.c. The slot's bolt, or all that have grown and were not taken back, faded or not (-1): 1 becomes 0. */
+void storm_field_draw(const struct storm *storm, int slot, int width, int height, float *values);
 bool storm_field(const struct storm *storm, enum scene_field which, int width, int height, float *values);
 uint64_t storm_hash(const struct storm *storm);
 

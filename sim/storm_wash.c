@@ -50,7 +50,7 @@ void storm_rinse(struct storm *storm, const struct action *action)
     const struct painting_def sheet = {.width = storm->mask_columns, .height = storm->mask_rows};
     struct action scaled = *action;
     struct rinse rinse;
-    if ((!action->has_at && action->path.count == 0) || storm->count == 0) {
+    if (!action->has_at && action->path.count == 0) {
         return;
     }
     float *phases = calloc((size_t)sheet.width * (size_t)sheet.height, sizeof *phases);
@@ -71,6 +71,7 @@ void storm_rinse(struct storm *storm, const struct action *action)
             wash_bolt(storm, &storm->bolts[slot], phases, action->strength);
         }
     }
+    storm_scar_wash(storm, phases, action->strength);
     free(phases);
 }
 

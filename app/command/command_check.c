@@ -13,17 +13,21 @@ static const char HELP[] =
     "usage: frond check FILE...\n\n"
     "Reads exhibits, session scripts and inputs files, with the formulas, pictures and recorded sessions that they\n"
     "name, and prints every problem as file:line:column: key: what was found; what is allowed. Prints nothing when\n"
-    "all is well.\n\n"
+    "all is well. A line with 'warning:' is no problem: the file can be used, but is hardly meant so.\n\n"
     "Exit status: 0 all are valid, 1 one is not, 2 the command line is wrong.\n";
 
 /* A session script, or by its key `exhibit` an exhibit, or by its key `inputs` an inputs file; an exhibit has both. */
-static void check(const char *path, const struct script_def *def, struct report *report)
+static void check(const char *path, const struct script_def *def, struct report *report, struct report *warnings)
 {
     size_t size = 0;
     char *text = script_load(path, &size, report);
     char *folder = script_folder(path);
     if (text && folder && exhibit_is(text, size)) {
-        exhibit_destroy(exhibit_parse(text, size, folder, def, report));
+        struct exhibit *exhibit = exhibit_parse(text, size, folder, def, report);
+        if (exhibit) {
+            exhibit_warn(exhibit, warnings);
+        }
+        exhibit_destroy(exhibit);
     } else if (text && folder && inputs_is(text, size)) {
         inputs_destroy(inputs_parse(text, size, folder, NULL, def, report));
     } else if (text && folder) {
@@ -56,10 +60,13 @@ int command_check(int argc, char *argv[])
     def.every_picture = true;
     int status = EXIT_STATUS_GOOD;
     for (int i = optind; i < argc; i++) {
-        struct report report;
+        struct report report, warnings;
         report_init(&report, argv[i]);
-        check(argv[i], &def, &report);
+        report_init(&warnings, argv[i]);
+        check(argv[i], &def, &report, &warnings);
         report_print(&report, stderr);
+        report_print(&warnings, stderr);
+        report_finish(&warnings);
         status = report_empty(&report) ? status : EXIT_STATUS_FAILED;
         report_finish(&report);
     }

@@ -183,6 +183,28 @@ static const char *keep(struct reader *reader, const char *text)
     return copy ? memcpy(copy, text, size) : NULL;
 }
 
+/* Whose files are named, and where their names are kept. */
+struct naming {
+    struct reader *reader;
+    struct exhibit *exhibit;
+};
+
+static void name_file(void *data, const char *folder, const char *path)
+{
+    struct naming *naming = data;
+    struct exhibit *exhibit = naming->exhibit;
+    for (int i = 0; i < exhibit->file_count; i++) {
+        if (strcmp(exhibit->files[i].path, path) == 0 && strcmp(exhibit->files[i].folder, folder) == 0) {
+            return;
+        }
+    }
+    if (exhibit->file_count < EXHIBIT_FILES) {
+        struct exhibit_file file = {keep(naming->reader, folder), keep(naming->reader, path)};
+        exhibit->files[exhibit->file_count] = file;
+        exhibit->file_count += file.folder && file.path;
+    }
+}
+
 static struct exhibit *parse(const char *text, size_t size, const char *path, const char *folder,
                              const struct script_def *def, struct report *report)
 {
@@ -204,7 +226,11 @@ static struct exhibit *parse(const char *text, size_t size, const char *path, co
         report_add(report, root->line, root->column, "", "%s where an exhibit should be; exhibit: 1, and its keys",
                    yaml_found(root, found, sizeof found));
     } else {
-        struct reader reader = {.report = report, .script = exhibit->memory, .def = def, .folder = folder};
+        struct script_def watched = *def;
+        struct reader reader = {.report = report, .script = exhibit->memory, .def = &watched, .folder = folder};
+        struct naming naming = {&reader, exhibit};
+        watched.names = name_file;
+        watched.names_data = &naming;
         exhibit->path = keep(&reader, path);
         exhibit->folder = keep(&reader, folder);
         read_root(&reader, root, exhibit);

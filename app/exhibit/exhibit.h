@@ -37,6 +37,7 @@ enum {
     EXHIBIT_HOURS = 28, /* entries of the schedule */
     EXHIBIT_TAPS = 8,   /* of the staff's chain */
     EXHIBIT_FEEDS = 8,  /* inputs of a scene */
+    EXHIBIT_FILES = 96, /* pictures and sessions that it is read from */
 };
 
 struct exhibit_display {
@@ -58,17 +59,18 @@ struct exhibit_sheet {
 
 /* What a scene takes from another, on every fresh sheet: one of its `inputs`. */
 struct exhibit_feed {
-    const char *id;  /* of the other scene */
-    int from;        /* the other scene's place in scenes[] */
-    int of;          /* enum scene_field */
-    int as;          /* enum graph_port */
-    int reading;     /* enum graph_reading */
-    int coefficient; /* of PORT_COEFFICIENT: in coefficient_keys[] */
-    float value, to; /* of PORT_COEFFICIENT: its value where the other scene has grown, and where it has not */
-    int ink;         /* of PORT_INK and PORT_BACKGROUND: of the scene's; -1: the first, the last */
-    float strength;  /* 0..1: of a field, of a drawing, of relief */
-    int tick;        /* how far the other scene grows by itself, when nobody has just made it here */
-    bool invert;     /* dark is light, and forward is back */
+    const char *id;   /* of the other scene */
+    int from;         /* the other scene's place in scenes[] */
+    int of;           /* enum scene_field */
+    int as;           /* enum graph_port */
+    int reading;      /* enum graph_reading */
+    int coefficient;  /* of PORT_COEFFICIENT: in coefficient_keys[] */
+    float value, to;  /* of PORT_COEFFICIENT: its value where the other scene has grown, and where it has not */
+    int ink;          /* of PORT_INK and PORT_BACKGROUND: of the scene's; -1: the first, the last */
+    float strength;   /* 0..1: of a field, of a drawing, of relief */
+    int tick;         /* how far the other scene grows by itself, when nobody has just made it here */
+    bool invert;      /* dark is light, and forward is back */
+    int line, column; /* where it stands in the file */
 };
 
 /* A scene is what is painted: inks, coefficients, a ground from a picture. `script` is a session without actions, for
@@ -224,6 +226,12 @@ struct exhibit {
     struct exhibit_gallery gallery;
     struct exhibit_staff staff;
     struct exhibit_mqtt mqtt;
+    /* Pictures and sessions that openings name, and those that sessions do: each by the folder of whoever names it.
+     * More than that are not watched for changes. */
+    struct exhibit_file {
+        const char *folder, *path;
+    } files[EXHIBIT_FILES];
+    int file_count;
     struct script *memory; /* texts */
 };
 
@@ -233,6 +241,9 @@ struct exhibit *exhibit_read(const char *path, const struct script_def *def, str
 struct exhibit *exhibit_parse(const char *text, size_t size, const char *folder, const struct script_def *def,
                               struct report *report);
 void exhibit_destroy(struct exhibit *exhibit); /* takes NULL */
+/* What can be shown, but is hardly meant: inputs from scenes in which nothing grows by itself, so that nothing comes of
+ * them until somebody has made something there. */
+void exhibit_warn(const struct exhibit *exhibit, struct report *report);
 /* Whether a text means to be an exhibit: its top has the key `exhibit`. */
 bool exhibit_is(const char *text, size_t size);
 

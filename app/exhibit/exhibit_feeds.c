@@ -129,6 +129,8 @@ static void read_feed(struct reader *reader, const struct yaml_node *item, int i
     if (ink && feed->as != PORT_INK && feed->as != PORT_BACKGROUND) {
         exhibit_problem(reader, "ink", ink, "of '%s'; as: ink, as: background, or no ink", graph_port_names[feed->as]);
     }
+    feed->line = item->line;
+    feed->column = item->column;
     scene->feed_count = index + 1;
 }
 
@@ -229,4 +231,33 @@ void exhibit_check_feeds(struct reader *reader, const struct yaml_node *root, st
         reader_leave(reader, outer);
     }
     reader_leave(reader, length);
+}
+
+/* Whether something grows in a scene that nobody comes to: by its opening, a preset's start, or what it is given. */
+static bool grows_alone(const struct exhibit_scene *scene)
+{
+    bool starts = scene->kind == SCENE_CHEMISTRY && scene->options.chemistry.start != DISH_START_NOTHING;
+    bool grows = starts || scene->ground_count > scene->opening;
+    for (int i = 0; i < scene->feed_count; i++) {
+        int as = scene->feeds[i].as;
+        grows = grows || as == PORT_INK || as == PORT_BACKGROUND || as == PORT_OUTLINE || as == PORT_SEEDS;
+    }
+    return grows;
+}
+
+void exhibit_warn(const struct exhibit *exhibit, struct report *report)
+{
+    char key[60];
+    for (int i = 0; i < exhibit->scene_count; i++) {
+        for (int k = 0; k < exhibit->scenes[i].feed_count; k++) {
+            const struct exhibit_feed *feed = &exhibit->scenes[i].feeds[k];
+            if (!grows_alone(&exhibit->scenes[feed->from])) {
+                snprintf(key, sizeof key, "scenes[%d].inputs[%d].from", i, k);
+                report_add(report, feed->line, feed->column, key,
+                           "warning: nothing grows by itself in '%s', and nothing is taken from it until somebody has "
+                           "made something there; an opening for it",
+                           exhibit->scenes[feed->from].id);
+            }
+        }
+    }
 }

@@ -64,6 +64,13 @@ uint64_t exhibit_mark(const char *path, const struct exhibit *exhibit)
         mark = scene->picture ? mark_file(mark, folder, scene->picture) : mark;
         mark = scene->mask ? mark_file(mark, folder, scene->mask) : mark;
     }
+    for (int i = 0; i < exhibit->file_count; i++) {
+        int within = open(exhibit->files[i].folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        mark = within >= 0 ? mark_file(mark, within, exhibit->files[i].path) : mix(mark, "-", 1);
+        if (within >= 0) {
+            close(within);
+        }
+    }
     close(folder);
     return mark;
 }

@@ -33,6 +33,23 @@ struct exhibit_watch {
     char *report;
 };
 
+/* One more to watch, unless it is, or there is no room. */
+static void add_folder(char folders[FOLDER_WATCH_FOLDERS][PATH_BYTES], int *count, const char *folder, const char *path)
+{
+    char *added = folders[*count < FOLDER_WATCH_FOLDERS ? *count : 0];
+    const char *slash = strrchr(path, '/');
+    if (*count == FOLDER_WATCH_FOLDERS) {
+        return;
+    }
+    snprintf(added, PATH_BYTES, "%s%s%.*s", folder, slash ? "/" : "", slash ? (int)(slash - path) : 0, path);
+    for (int i = 0; i < *count; i++) {
+        if (strcmp(folders[i], added) == 0) {
+            return;
+        }
+    }
+    ++*count;
+}
+
 static void watch_folders(struct exhibit_watch *watch, const struct exhibit *exhibit)
 {
     char folders[FOLDER_WATCH_FOLDERS][PATH_BYTES];
@@ -45,12 +62,11 @@ static void watch_folders(struct exhibit_watch *watch, const struct exhibit *exh
     if (exhibit->pictures) {
         snprintf(folders[count++], PATH_BYTES, "%s/%s", exhibit->folder, exhibit->pictures);
     }
-    for (int i = 0; i < exhibit->session_count && count < FOLDER_WATCH_FOLDERS; i++) {
-        const char *slash = strrchr(exhibit->sessions[i], '/');
-        if (slash) {
-            snprintf(folders[count++], PATH_BYTES, "%s/%.*s", exhibit->folder, (int)(slash - exhibit->sessions[i]),
-                     exhibit->sessions[i]);
-        }
+    for (int i = 0; i < exhibit->session_count; i++) {
+        add_folder(folders, &count, exhibit->folder, exhibit->sessions[i]);
+    }
+    for (int i = 0; i < exhibit->file_count; i++) {
+        add_folder(folders, &count, exhibit->files[i].folder, exhibit->files[i].path);
     }
     for (int i = 0; i < count; i++) {
         list[i] = folders[i];

@@ -34,6 +34,9 @@ static const struct {
     {"s_max", {"Density", "Densité", "كثافة", "密度"}},
     {"beta_v", {"Guidance", "Guidage", "توجيه", "導き"}},
     {"gain", {"Thickness", "Épaisseur", "سُمك", "太さ"}},
+    {"radius", {"Size", "Taille", "حجم", "大きさ"}},
+    {"solvent", {"Water", "Eau", "ماء", "水"}},
+    {"amount", {"Ink", "Encre", "حبر", "インク"}},
     {"seed", {"Chance", "Hasard", "مصادفة", "偶然"}},
     /* Kinds of what grows. */
     {"ink", {"Ink", "Encre", "حبر", "インク"}},

@@ -109,6 +109,9 @@ void controls_reset(struct controls *controls);
 /* The same, in a scene with other inks and coefficients. */
 void controls_scene(struct controls *controls, int inks, const struct coefficients *coefficients);
 
+/* What a dial has just set of drops to come, as a key of action_keys(ACTION_DROP), once for each; false: no more. */
+bool controls_dialled(struct controls *controls, const struct key **key, float *value);
+
 /* A scene of this kind from now on, which grows or reacts so: that is where dials of it stand. NULL, as at first: a
  * painting. Of bindings only those happen that are for that kind. */
 void controls_options(struct controls *controls, const struct scene_options *options);

@@ -105,10 +105,10 @@ struct controls {
     float rest[INPUTS_BINDINGS];            /* of steps that are not whole yet */
     struct cause moved[INPUTS_BINDINGS];    /* verbs that follow an axis: done once a period */
     bool has_moved[INPUTS_BINDINGS];
-    float drop[PARAMETERS]; /* what dials have set */
-    bool has_drop[PARAMETERS];
-    uint64_t run_us, period_us; /* of the last controls_run, and of the last one that gathered */
-    int pushed;                 /* since then */
+    float drop[PARAMETERS];                         /* what dials have set */
+    bool has_drop[PARAMETERS], dialled[PARAMETERS]; /* `dialled`: and nobody knows it yet */
+    uint64_t run_us, period_us;                     /* of the last controls_run, and of the last one that gathered */
+    int pushed;                                     /* since then */
     struct queued queue[CONTROLS_ACTIONS];
     int first, count;
     struct wish wishes[CONTROLS_WISHES];

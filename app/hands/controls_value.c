@@ -197,7 +197,7 @@ void controls_run_values(struct controls *controls, uint64_t now_us)
             controls_push_set(controls, binding->coefficient, value, controls->axis_time_us[i]);
         } else {
             controls->drop[binding->parameter] = value;
-            controls->has_drop[binding->parameter] = true;
+            controls->has_drop[binding->parameter] = controls->dialled[binding->parameter] = true;
         }
         controls->axis_time_us[i] = 0;
     }
@@ -221,12 +221,30 @@ void controls_run_cursors(struct controls *controls, uint64_t now_us)
     }
 }
 
+static const struct key *drop_key(int parameter)
+{
+    static const char *const NAMES[PARAMETERS] = {"radius", "solvent", "amount"};
+    return key_find(action_keys(ACTION_DROP), NAMES[parameter]);
+}
+
+bool controls_dialled(struct controls *controls, const struct key **key, float *value)
+{
+    for (int i = 0; i < PARAMETERS; i++) {
+        if (controls->dialled[i]) {
+            controls->dialled[i] = false;
+            *key = drop_key(i);
+            *value = controls->drop[i];
+            return true;
+        }
+    }
+    return false;
+}
+
 /* The value of a coefficient or of a drop's parameter as it is before anybody turns anything. */
 static float initial_value(const struct controls_def *def, const struct binding *binding)
 {
-    static const char *const NAMES[PARAMETERS] = {"radius", "solvent", "amount"};
     if (binding->what == DO_DIAL) {
-        return (float)key_find(action_keys(ACTION_DROP), NAMES[binding->parameter])->initial;
+        return (float)drop_key(binding->parameter)->initial;
     }
     const struct key *key = &coefficient_keys[binding->coefficient];
     const char *at = (const char *)&def->coefficients + key->offset;
@@ -259,7 +277,7 @@ void controls_reset_values(struct controls *controls)
     }
     controls_reset_options(controls);
     for (int i = 0; i < PARAMETERS; i++) {
-        controls->has_drop[i] = false;
+        controls->has_drop[i] = controls->dialled[i] = false;
     }
 }
 

@@ -142,6 +142,20 @@ void live_graph_hand(struct live_graph *graph, int scene, const uint8_t *rgb, in
     }
 }
 
+void live_graph_take(struct live_graph *graph, int scene, struct outcome *outcome)
+{
+    bool any = false;
+    for (int i = 0; i < outcome->width * outcome->height && !any; i++) {
+        any = outcome->fields[FIELD_DARK][i] < 0.5f;
+    }
+    if (any) {
+        outcome_finish(&graph->made[scene]);
+        graph->made[scene] = *outcome;
+        *outcome = (struct outcome){.width = 0};
+    }
+    outcome_finish(outcome);
+}
+
 /* What a feed is made from: what was made on the sheet, else what has grown; NULL: not yet, or never. */
 static const struct outcome *outcome_for(struct live_graph *graph, int scene, int feed)
 {

@@ -103,11 +103,16 @@ static bool stage_inputs(void *context, int scene, struct action *actions, int *
     return kiosk->graph && live_graph_actions(kiosk->graph, scene, actions, count);
 }
 
+/* Its own fields, which will be there in a moment; until then, and of paintings, what is to be seen. */
 static void stage_hand(void *context, int scene)
 {
     struct live_kiosk *kiosk = context;
     int width, height;
-    uint8_t *rgb = kiosk->graph ? live_picture_capture(kiosk->picture, &width, &height) : NULL;
+    bool drawn = kiosk->graph && display_enter(kiosk->status.display);
+    uint8_t *rgb = drawn ? live_picture_capture(kiosk->picture, &width, &height) : NULL;
+    if (kiosk->graph) {
+        live_scene_hand(kiosk->scene, (int)(kiosk->reloads % INT16_MAX) * EXHIBIT_SCENES + scene);
+    }
     if (rgb) {
         live_scene_draw_reveal(kiosk->scene_draw, rgb, width, height);
         live_graph_hand(kiosk->graph, scene, rgb, width, height);
@@ -122,6 +127,19 @@ static bool stage_cover(void *context, int kind, uint32_t seed, double share)
     bool known = size.width > 0 && size.height > 0;
     return live_leave_cover(&kiosk->leave, kind, seed, share, known ? size.width : DISPLAY_HEADLESS_WIDTH,
                             known ? size.height : DISPLAY_HEADLESS_HEIGHT);
+}
+
+static void take_hand(struct live_kiosk *kiosk)
+{
+    struct outcome outcome;
+    int number;
+    if (kiosk->graph && live_scene_handed(kiosk->scene, &number, &outcome)) {
+        if (number / EXHIBIT_SCENES == (int)(kiosk->reloads % INT16_MAX)) {
+            live_graph_take(kiosk->graph, number % EXHIBIT_SCENES, &outcome);
+        } else { /* of an exhibit that was */
+            outcome_finish(&outcome);
+        }
+    }
 }
 
 static void stage_status(void *context, char *lines, size_t size)
@@ -353,6 +371,7 @@ void live_kiosk_run(struct live_kiosk *kiosk)
     if (!kiosk->kiosk) {
         return;
     }
+    take_hand(kiosk);
     kiosk_run(kiosk->kiosk, now_us(kiosk), live_clock_wall(&kiosk->clock));
     const struct script *script = kiosk_scene(kiosk->kiosk)->script;
     if (kiosk->other && studio_script(kiosk->status.studio) == script) {

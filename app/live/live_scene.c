@@ -65,6 +65,7 @@ void live_scene_destroy(struct live_scene *live)
         plate_finish(&live->views[i].plate);
         live_store_finish(&live->stores[i]);
     }
+    outcome_finish(&live->handed);
     finish_conditions(live);
     free(live);
 }
@@ -132,7 +133,8 @@ bool live_scene_has_newer(struct live_scene *live)
 /* With the lock. Ticks of what is calm can wait. */
 static bool is_calm(const struct live_scene *live)
 {
-    return !inbox_any(&live->inbox) && (live->behind == 0 || live->calm) && !live->works && !live->wanted;
+    return !inbox_any(&live->inbox) && (live->behind == 0 || live->calm) && !live->works && !live->wanted &&
+           !live->hands;
 }
 
 bool live_scene_is_calm(struct live_scene *live)

@@ -19,6 +19,7 @@
 #include <stdint.h>
 
 #include "dish.h"
+#include "outcome.h"
 #include "painting.h"
 #include "plate.h"
 #include "scene.h"
@@ -84,6 +85,13 @@ const struct live_view *live_scene_newest(struct live_scene *live, int sheet, bo
 bool live_scene_has_newer(struct live_scene *live);
 /* Whether all that was told has been done, and there is a view of it. */
 bool live_scene_is_calm(struct live_scene *live);
+
+/* What the scene has come to, as fields for others to grow from, HAND_SIDE cells along the longer side: asked for as it
+ * is left, before the studio is told so, and made in the thread before anything that is told later. `number` is the
+ * caller's. What was asked for before is lost. False: there is no scene. */
+bool live_scene_hand(struct live_scene *live, int number);
+/* It, once it is made; the caller's then. Never waits. */
+bool live_scene_handed(struct live_scene *live, int *number, struct outcome *outcome);
 
 struct live_scene_sheet {
     enum scene_kind kind;        /* SCENE_PAINTING: there is no scene */

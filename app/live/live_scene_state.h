@@ -4,6 +4,7 @@
  *   live_scene_inbox.c   what is on its way to the scene
  *   live_scene_work.c    the thread
  *   live_scene_trees.c   what it does for trees: plans and plates
+ *   live_scene_hand.c    what it has come to, for others
  *   live_scene_views.c   for lightning and chemistry: copies of what is to be seen */
 #ifndef FROND_LIVE_SCENE_STATE_H
 #define FROND_LIVE_SCENE_STATE_H
@@ -88,6 +89,9 @@ struct live_scene {
     bool calm;              /* nothing happens until something is done: ticks can wait */
     bool asked;             /* for the hash */
     uint64_t hash;
+    bool hands, has_handed;     /* what the scene has come to is asked for; is there */
+    int hand_number, handed_of; /* the caller's */
+    struct outcome handed;
 
     /* The thread's alone. */
     struct inbox taken;
@@ -116,6 +120,9 @@ void live_scene_dry(struct live_scene *live);
 void *live_scene_work(void *context);
 /* The newest view is live->back's from now on; with the lock. */
 void live_scene_publish(struct live_scene *live, double grow_s, double paint_s);
+
+/* In the thread: fills live->handed; with the lock, which is let go meanwhile. */
+void live_scene_make_hand(struct live_scene *live);
 
 /* Trees, in the thread. What an action asks for is wanted at its time; a plan and its plate, with the lock, which is
  * let go meanwhile. */

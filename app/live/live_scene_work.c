@@ -222,6 +222,10 @@ static void answer(struct live_scene *live)
  */
 static bool step(struct live_scene *live)
 {
+    if (live->hands) {
+        live_scene_make_hand(live);
+        return true;
+    }
     if (live->epoch != live->taken_epoch) { /* what is left was for the scene before */
         inbox_finish(&live->taken);
     }

@@ -57,6 +57,21 @@ bool outcome_of_painting(struct outcome *outcome, const float *thickness, const 
     return good;
 }
 
+bool outcome_of_scene(struct outcome *outcome, const struct scene_type *type, void *scene, int width, int height)
+{
+    if (!open_fields(outcome, width, height)) {
+        return false;
+    }
+    bool good = true;
+    for (int i = 0; i < SCENE_FIELDS && good; i++) {
+        good = type->field(scene, (enum scene_field)i, width, height, outcome->fields[i]);
+    }
+    if (!good) {
+        outcome_finish(outcome);
+    }
+    return good;
+}
+
 static void merge_least(float *into, const float *other, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

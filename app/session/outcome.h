@@ -26,6 +26,8 @@ bool outcome_grow(struct outcome *outcome, const struct script *script, int64_t 
 bool outcome_take(struct outcome *outcome, struct engine *engine, struct plot *plot, int ink_count);
 /* Of a painting: the sum of its inks (optical thickness) and its solvent, width * height values of each. */
 bool outcome_of_painting(struct outcome *outcome, const float *thickness, const float *solvent, int width, int height);
+/* Of a scene beside a painting, over width * height cells. */
+bool outcome_of_scene(struct outcome *outcome, const struct scene_type *type, void *scene, int width, int height);
 void outcome_finish(struct outcome *outcome); /* a zeroed one may be */
 
 #endif

@@ -64,6 +64,9 @@ struct script_def {
     bool (*load)(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
                  size_t size);
     void *data;
+    /* Is told of each picture and session that is about to be read, whether it is there or not. May be NULL. */
+    void (*names)(void *names_data, const char *folder, const char *path);
+    void *names_data;
     size_t raster_values_max; /* floats of all formulas and pictures together */
     bool every_picture;       /* those of an exhibit's folder are loaded too, only to see whether they can be */
     int64_t

@@ -142,6 +142,7 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
     if (action->verb != ACTION_STOCK && !script_take_values(reader, node, values_of_sheet)) {
         return false;
     }
+    reader_names(reader, node->text);
     if (!reader->def->load(reader->def->data, reader->folder, node->text, &picture, error, sizeof error)) {
         reader_problem(reader, node, "%s", error);
         return false;

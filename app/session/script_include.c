@@ -107,6 +107,7 @@ struct script *script_include(struct reader *reader, const struct yaml_node *at,
     struct report inner;
     struct script_def def = *reader->def;
     struct script_within root = root_of(reader->report), self = {.outer = def.within ? def.within : &root};
+    reader_names(reader, path);
     char *text = load(reader->folder, path, &size, &self, error, sizeof error);
     int depth = text ? depth_of(&self) : 0;
     char *folder = text ? folder_of(reader->folder, path) : NULL;

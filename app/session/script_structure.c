@@ -97,6 +97,7 @@ static bool grow(struct reader *reader, const struct yaml_node *node, const stru
     struct script_picture picture = {0};
     size_t length = reader_enter(reader, "over");
     bool good = reader->def->load || (reader_problem(reader, over, "pictures cannot be read here; a formula can"), 0);
+    reader_names(reader, structure->over);
     if (good && !reader->def->load(reader->def->data, reader->folder, structure->over, &picture, error, sizeof error)) {
         reader_problem(reader, over, "%s", error);
         good = false;

@@ -65,6 +65,13 @@ bool reader_adopt(struct reader *reader, void *block)
     return true;
 }
 
+void reader_names(const struct reader *reader, const char *path)
+{
+    if (reader->def->names) {
+        reader->def->names(reader->def->names_data, reader->folder, path);
+    }
+}
+
 void *reader_take(struct reader *reader, size_t size)
 {
     void *block = calloc(1, size ? size : 1);

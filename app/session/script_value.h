@@ -54,6 +54,8 @@ void reader_leave(struct reader *reader, size_t length);
 /* A problem with the part where the reader is. */
 void reader_problem(struct reader *reader, const struct yaml_node *at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+/* A file that the script names is about to be read: def->names is told. */
+void reader_names(const struct reader *reader, const char *path);
 /* Memory that lives as long as the script; NULL is reported. */
 void *reader_take(struct reader *reader, size_t size);
 /* Takes over a block from malloc, for as long. False is reported; the block is free then. */

@@ -391,6 +391,7 @@ void kiosk_run(struct kiosk *kiosk, uint64_t now_us, time_t time)
     if (held) {
         visit_feel(&kiosk->visit, VISIT_HOLD, now_us);
     }
+    kiosk_tell_dials(kiosk, now_us);
     kiosk_busy(kiosk, now_us);
     kiosk_run_access(kiosk, now_us);
     visit_run(&kiosk->visit, now_us);

@@ -60,6 +60,18 @@ void kiosk_take_option(struct kiosk *kiosk, const struct action *action, uint64_
     }
 }
 
+void kiosk_tell_dials(struct kiosk *kiosk, uint64_t now_us)
+{
+    const struct key *key;
+    float value;
+    while (kiosk->controls && controls_dialled(kiosk->controls, &key, &value)) {
+        visit_feel(&kiosk->visit, VISIT_HOLD, now_us);
+        if (visit_paints(&kiosk->visit)) {
+            hud_tell(&kiosk->hud, key, value, now_us);
+        }
+    }
+}
+
 void kiosk_change_options(struct kiosk *kiosk, const struct scene_options *before)
 {
     const struct scene_options *options = &kiosk_scene(kiosk)->options;

@@ -118,6 +118,8 @@ void kiosk_stand_dials(struct kiosk *kiosk);
 void kiosk_take_option(struct kiosk *kiosk, const struct action *action, uint64_t now_us);
 /* Another exhibit has this scene on the same sheet; these were its options before by its file. */
 void kiosk_change_options(struct kiosk *kiosk, const struct scene_options *before);
+/* What dials have set of drops to come is shown. */
+void kiosk_tell_dials(struct kiosk *kiosk, uint64_t now_us);
 /* The next value of what brings others: metaphor, kind, preset. */
 void kiosk_next_kind(struct kiosk *kiosk, uint64_t now_us);
 /* What was picked on a map since. */

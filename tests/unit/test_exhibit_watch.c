@@ -121,6 +121,39 @@ static void a_session_of_its_own_counts_and_other_files_do_not(void **state)
     end(&place);
 }
 
+/* A session that an opening grows from, and one inside that. */
+static void files_of_openings_count(void **state)
+{
+    (void)state;
+    struct place place = begin();
+    char *report;
+    char folder[128];
+    snprintf(folder, sizeof folder, "%s/deep", place.folder);
+    assert_int_equal(mkdir(folder, 0700), 0);
+    write_file(
+        &place, "deep/drop.yaml",
+        "frond: 1\ncanvas: {width: 64, height: 64}\nactions: [{tick: 0, drop: {at: [0.5, 0.5], ink: turquoise}}]\n");
+    write_file(&place, "deep/play.yaml",
+               "frond: 1\ncanvas: {width: 64, height: 64}\nactions: [{tick: 0, mask: {session: {file: drop.yaml, "
+               "tick: 2}}}]\n");
+    write_file(&place, "exhibit.yaml",
+               "exhibit: 1\nscenes:\n  - {id: one, opening: [{mask: {session: {file: deep/play.yaml, tick: 2}}}]}\n");
+    enum exhibit_news what = news(&place, SOON_MS, &report);
+    if (what == EXHIBIT_WRONG) {
+        print_message("%s\n", report);
+    }
+    assert_int_equal(what, EXHIBIT_READ);
+    assert_int_equal(place.exhibit->file_count, 2);
+    assert_int_equal(news(&place, QUIET_MS, &report), EXHIBIT_SAME);
+    write_file(
+        &place, "deep/drop.yaml",
+        "frond: 1\ncanvas: {width: 64, height: 64}\nactions: [{tick: 0, drop: {at: [0.2, 0.5], ink: turquoise}}]\n");
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_READ);
+    write_file(&place, "deep/notes.txt", "buy ink");
+    assert_int_equal(news(&place, QUIET_MS, &report), EXHIBIT_SAME);
+    end(&place);
+}
+
 static void what_was_missing_mends_it_when_it_comes(void **state)
 {
     (void)state;
@@ -140,6 +173,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_edit_is_read_and_a_wrong_one_told),
         cmocka_unit_test(a_session_of_its_own_counts_and_other_files_do_not),
+        cmocka_unit_test(files_of_openings_count),
         cmocka_unit_test(what_was_missing_mends_it_when_it_comes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -237,6 +237,35 @@ static int remove_folder(void **state)
     return 0;
 }
 
+/* Inputs of which nothing comes before somebody has been there; the file is good. */
+static void what_nothing_comes_of_is_told(void **state)
+{
+    (void)state;
+    static const char TEXT[] = "exhibit: 1\nscenes:\n"
+                               "  - {id: bare, kind: lightning}\n"
+                               "  - {id: struck, kind: lightning, opening: [{strike: {at: [0.5, 0.5]}}]}\n"
+                               "  - {id: broth, kind: chemistry}\n"
+                               "  - id: glaze\n    inputs:\n"
+                               "      - {from: struck, as: mask}\n"
+                               "      - {from: broth, as: mask}\n"
+                               "      - {from: bare, as: mask}\n";
+    struct script_def def = script_default_def();
+    struct report report, warnings;
+    report_init(&report, "s.yaml");
+    report_init(&warnings, "s.yaml");
+    struct exhibit *exhibit = exhibit_parse(TEXT, sizeof TEXT - 1, ".", &def, &report);
+    assert_non_null(exhibit);
+    exhibit_warn(exhibit, &warnings);
+    char *told = report_text(&warnings);
+    assert_int_equal(warnings.count, 1);
+    assert_string_equal(told, "s.yaml:10:9: scenes[3].inputs[2].from: warning: nothing grows by itself in 'bare', and "
+                              "nothing is taken from it until somebody has made something there; an opening for it\n");
+    free(told);
+    report_finish(&warnings);
+    report_finish(&report);
+    exhibit_destroy(exhibit);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -246,6 +275,7 @@ int main(void)
         cmocka_unit_test(circles_are_told),
         cmocka_unit_test(it_is_full),
         cmocka_unit_test(it_is_drawn),
+        cmocka_unit_test(what_nothing_comes_of_is_told),
         cmocka_unit_test(errors_are_told_word_for_word),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);

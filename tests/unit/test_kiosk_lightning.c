@@ -170,6 +170,30 @@ static void turn_wheel(struct hall *hall, float steps)
     hall_feel(hall, &event);
 }
 
+/* So does one that sets what drops to come are like, in a painting. */
+static void a_dial_of_drops_says_so(void **state)
+{
+    (void)state;
+    struct hall *hall = hall_open(
+        "exhibit: 1\n"
+        "inputs:\n"
+        "  gpio: {buttons: [{id: a, line: A}, {id: b, line: B}, {id: c, line: C}], encoders: [{id: w, a: D, b: E}]}\n"
+        "  bindings:\n"
+        "    - {touch: tap, drop: {}}\n"
+        "    - {encoder: w, dial: {parameter: radius, from: 4, to: 24, steps: 20}}\n");
+    hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.05);
+    hall_wait(hall, 1);
+    turn_wheel(hall, 3);
+    hall_wait(hall, 0.4);
+    const struct hud *hud = &hall->kiosk->hud;
+    assert_true(hud->told_count == 1 && hud->told[0].key == key_find(action_keys(ACTION_DROP), "radius"));
+    assert_true(hud->told[0].value > 4 && hud->told[0].value <= 24);
+    assert_float_equal(kiosk_look(hall->kiosk, hall->now_us)->piece[LOOK_TOLD].opacity, 1, 0.01);
+    hall_wait(hall, 5);
+    assert_float_equal(hud_told_opacity(hud, hall->now_us), 0, 0); /* once */
+    hall_close(hall);
+}
+
 static void a_dial_says_what_it_turns(void **state)
 {
     (void)state;
@@ -300,6 +324,7 @@ int main(void)
         cmocka_unit_test(a_first_touch_strikes_on_a_sheet_with_its_opening),
         cmocka_unit_test(a_hand_that_stays_attracts_and_one_that_repels_repels),
         cmocka_unit_test(a_button_strikes_anywhere_and_each_time_alike),
+        cmocka_unit_test(a_dial_of_drops_says_so),
         cmocka_unit_test(a_dial_says_what_it_turns),
         cmocka_unit_test(a_visit_ends_in_water_and_all_is_as_the_file_has_it),
         cmocka_unit_test(attract_strikes_from_many_clouds_and_grows_a_coral),

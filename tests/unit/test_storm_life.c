@@ -361,6 +361,57 @@ static void fields_say_where_it_is(void **state)
     storm_destroy(storm);
 }
 
+static int dark_of(struct storm *storm, float *dark, int width, int height)
+{
+    int covered = 0;
+    assert_true(storm_type.field(storm, FIELD_DARK, width, height, dark));
+    for (int i = 0; i < width * height; i++) {
+        covered += dark[i] < 0.5f;
+    }
+    return covered;
+}
+
+/* Lightning that has faded and been forgotten is what has grown still, but for what was taken back or washed away. */
+static void strikes_leave_scars(void **state)
+{
+    (void)state;
+    enum { ACROSS = 120, DOWN = 75, CELLS = ACROSS * DOWN };
+    static float dark[CELLS], along[2 * CELLS];
+    struct storm *storm = storm_case_of(BOLT_LIGHTNING);
+    storm_case_set(storm, 0, "life", 20);
+    storm_case_strike(storm, 0, 1, 0.3f, 0.8f);
+    int64_t struck = storm_case_until_calm(storm, 0, 900);
+    assert_true(struck < 900 && storm->count == 0); /* nothing is to be seen */
+    int one = dark_of(storm, dark, ACROSS, DOWN), told = 0;
+    assert_true(storm_type.field(storm, FIELD_ALONG, ACROSS, DOWN, along));
+    for (int i = 0; i < CELLS; i++) {
+        told += dark[i] < 0.5f && fabsf(along[CELLS + i]) > 0.2f;
+    }
+    print_message("%d cells of a strike that has gone, %d with a way\n", one, told);
+    assert_true(one > 40 && told > one / 4);
+    storm_case_strike(storm, struck + 1, 2, 0.8f, 0.8f);
+    storm_case_ticks(storm, struck + 1, struck + 12);
+    assert_true(dark_of(storm, dark, ACROSS, DOWN) > one + 5);
+    storm_case_by(storm, struck + 12, ACTION_UNDO, 2);
+    storm_case_ticks(storm, struck + 12, struck + 100);
+    assert_int_equal(dark_of(storm, dark, ACROSS, DOWN), one);
+    struct action rinse = action_default(ACTION_RINSE);
+    rinse.has_at = true;
+    rinse.at = (struct point){0.3f, 0.7f};
+    rinse.radius = 30;
+    rinse.strength = 0.5f;
+    for (int64_t tick = struck + 100; tick < struck + 130; tick++) {
+        storm_act(storm, tick, &rinse);
+        storm_case_ticks(storm, tick, tick + 1);
+    }
+    int left = dark_of(storm, dark, ACROSS, DOWN);
+    print_message("%d of %d left by water\n", left, one);
+    assert_in_range(left, one / 5, one - 20);
+    storm_case_by(storm, struck + 130, ACTION_CLEAR, 0);
+    assert_int_equal(dark_of(storm, dark, ACROSS, DOWN), 0);
+    storm_destroy(storm);
+}
+
 static void another_grid_keeps_what_has_grown(void **state)
 {
     (void)state;
@@ -446,6 +497,7 @@ int main(void)
         cmocka_unit_test(particles_are_bounded),
         cmocka_unit_test(nothing_breaks_it),
         cmocka_unit_test(fields_say_where_it_is),
+        cmocka_unit_test(strikes_leave_scars),
         cmocka_unit_test(another_grid_keeps_what_has_grown),
         cmocka_unit_test(the_same_actions_make_the_same),
     };
