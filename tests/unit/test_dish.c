@@ -571,14 +571,10 @@ static void repeats(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(table),   cmocka_unit_test(starts),
-        cmocka_unit_test(ends),    cmocka_unit_test(what_dies_out_is_sown_anew),
-        cmocka_unit_test(doses),   cmocka_unit_test(takes),
-        cmocka_unit_test(combs),   cmocka_unit_test(slants),
-        cmocka_unit_test(styles),  cmocka_unit_test(washes),
-        cmocka_unit_test(freezes), cmocka_unit_test(sizes),
-        cmocka_unit_test(looks),   cmocka_unit_test(fields),
-        cmocka_unit_test(repeats),
+        cmocka_unit_test(table),  cmocka_unit_test(starts),  cmocka_unit_test(ends),   cmocka_unit_test(doses),
+        cmocka_unit_test(takes),  cmocka_unit_test(combs),   cmocka_unit_test(slants), cmocka_unit_test(styles),
+        cmocka_unit_test(washes), cmocka_unit_test(freezes), cmocka_unit_test(sizes),  cmocka_unit_test(looks),
+        cmocka_unit_test(fields), cmocka_unit_test(repeats),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
