@@ -23,6 +23,7 @@ enum random_stream {
     RANDOM_PLACE,     /* endpoints and jitter of trees */
     RANDOM_SIMPLEX,   /* lattice of simplex noise */
     RANDOM_CHEMISTRY, /* first spots and grains of Gray-Scott */
+    RANDOM_FROST,     /* transitions: nuclei and tips of frost, paper that dries unevenly */
 };
 
 static inline uint32_t random_mix(uint32_t x)

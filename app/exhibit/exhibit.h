@@ -79,6 +79,7 @@ struct exhibit_scene {
     const char *id;
     struct words title;
     int kind;                     /* enum scene_kind */
+    int leave;                    /* enum transition_kind: how it goes */
     struct scene_options options; /* of this kind, as at first: what the metaphor, kind or preset brings, and what the
                                      file gives */
     const char *picture; /* of SCENE_TREES: the first picture it grows over (path relative to the exhibit), and the

@@ -2,6 +2,7 @@
 
 #include "exhibit_read.h"
 #include "script_read.h"
+#include "transition.h"
 
 enum { ID_BYTES = 40, TOPIC_BYTES = 100 };
 
@@ -139,6 +140,9 @@ const struct key scene_keys[] = {
     CHOICE("kind", SCENE, kind, scene_kind_names, SCENE_PAINTING,
            "What it is: ink on a wet sheet, trees and dendrites that grow over pictures, lightning and all else that "
            "grows as it does, or chemicals that react."),
+    CHOICE("leave", SCENE, leave, transition_names, TRANSITION_WASH,
+           "How it goes when another scene comes or the visit ends: water washes it down, the sheet dries from its "
+           "edges, or frost grows over it and melts."),
     SECTION("trees", "How they grow in a scene of trees, as `frond grow` does it, and over which picture first."),
     SECTION("lightning", "How it grows in a scene of lightning: bolts, corals, rivers, frost."),
     SECTION("chemistry", "How chemicals react in a scene of chemistry, and what they look like."),
@@ -193,7 +197,8 @@ const struct key visit_keys[] = {
     NUMBER("countdown", VISIT, countdown, "s", 3, 120, 15, "How long the countdown is; any input ends it."),
     NUMBER("thanks", VISIT, thanks, "s", 0, 60, 6,
            "How long a finished picture is looked at before it is washed away."),
-    NUMBER("wash", VISIT, wash, "s", 1, 30, 5, "How long the water takes across the sheet."),
+    NUMBER("wash", VISIT, wash, "s", 1, 30, 5,
+           "How long the water takes across the sheet; a sheet that dries or freezes, three seconds at the least."),
     NUMBER("attract", VISIT, attract, "s", 20, 1800, 120,
            "How long a painting takes that the sheet paints by itself, with the rest after it."),
     WHOLE("next_scene", VISIT, next_scene, "paintings", 0, 1000, 1, false,

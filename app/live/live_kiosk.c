@@ -120,6 +120,15 @@ static void stage_hand(void *context, int scene)
     free(rgb);
 }
 
+static bool stage_cover(void *context, int kind, uint32_t seed, double share)
+{
+    struct live_kiosk *kiosk = context;
+    struct display_size size = display_sheet(kiosk->status.display);
+    bool known = size.width > 0 && size.height > 0;
+    return live_leave_cover(&kiosk->leave, kind, seed, share, known ? size.width : DISPLAY_HEADLESS_WIDTH,
+                            known ? size.height : DISPLAY_HEADLESS_HEIGHT);
+}
+
 static void take_hand(struct live_kiosk *kiosk)
 {
     struct outcome outcome;
@@ -220,6 +229,7 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
     kiosk->input_def = *input_def;
     kiosk->input_def.clock = def->clock;
     live_overlay_init(&kiosk->overlay, folder);
+    live_leave_init(&kiosk->leave, folder);
     if (!def->exhibit) {
         return true;
     }
@@ -233,7 +243,7 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
                                   .scene = def->painting->scene,
                                   .stage = {kiosk, stage_post, stage_fresh, stage_change, stage_keep, stage_power,
                                             stage_sheet, stage_guide, stage_status, stage_stock, stage_inputs,
-                                            stage_hand}};
+                                            stage_hand, stage_cover}};
     kiosk->watch = exhibit_watch_create(def->exhibit->path, def->exhibit);
     kiosk->kiosk = kiosk_create(&kiosk_def, now_us(kiosk));
     if (!kiosk->kiosk || !kiosk->watch) {
@@ -260,6 +270,7 @@ bool live_kiosk_open(struct live_kiosk *kiosk, const struct live_kiosk_def *def,
 void live_kiosk_close(struct live_kiosk *kiosk)
 {
     live_overlay_finish(&kiosk->overlay);
+    live_leave_finish(&kiosk->leave);
     exhibit_watch_destroy(kiosk->watch);
     live_graph_destroy(kiosk->graph); /* before the exhibit */
     kiosk_destroy(kiosk->kiosk);
@@ -410,12 +421,14 @@ bool live_kiosk_draw(struct live_kiosk *kiosk, struct shader_error *error)
     if (kiosk->keep) {
         keep(kiosk);
     }
-    return live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us(kiosk)), error);
+    return live_leave_draw(&kiosk->leave, kiosk->status.display, error) &&
+           live_overlay_draw(&kiosk->overlay, kiosk->status.display, kiosk_look(kiosk->kiosk, now_us(kiosk)), error);
 }
 
 void live_kiosk_lost(struct live_kiosk *kiosk)
 {
     live_overlay_finish(&kiosk->overlay);
+    live_leave_lost(&kiosk->leave);
 }
 
 int live_kiosk_wait_ms(const struct live_kiosk *kiosk, int most)

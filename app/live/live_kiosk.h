@@ -10,6 +10,7 @@
 #include "live_graph.h"
 #include "live_input.h"
 #include "live_keep.h"
+#include "live_leave.h"
 #include "live_overlay.h"
 #include "live_picture.h"
 #include "live_pictures.h"
@@ -38,6 +39,7 @@ struct live_kiosk {
     bool visited;        /* as it was told last */
     struct kiosk *kiosk; /* NULL: a session */
     struct live_overlay overlay;
+    struct live_leave leave; /* under it */
     struct exhibit_watch *watch;
     struct exhibit *before; /* until the studio has let go of its scripts */
     struct gallery *gallery;

@@ -161,8 +161,9 @@ static void lay_ground(struct kiosk *kiosk)
     }
 }
 
-static void fresh_sheet(struct kiosk *kiosk)
+static void fresh_sheet(struct kiosk *kiosk, uint64_t now_us)
 {
+    kiosk_leave_sheet(kiosk, now_us);
     kiosk->sheet = sheet_of(kiosk).number + 1;
     kiosk->grounded = kiosk->begun = kiosk->washing = false;
     kiosk->def.stage.fresh(kiosk->def.stage.context);
@@ -195,11 +196,16 @@ static void next_scene(struct kiosk *kiosk)
     show_scene(kiosk, next);
 }
 
-static void begin_wash(struct kiosk *kiosk)
+void kiosk_begin_wash(struct kiosk *kiosk, uint64_t now_us)
 {
     struct kiosk_sheet sheet = sheet_of(kiosk);
-    hand_over(kiosk);
+    if (!kiosk->leave.told) {
+        hand_over(kiosk);
+    }
     kiosk->washing = true;
+    if (kiosk_leave(kiosk, now_us)) {
+        return;
+    }
     wash_begin(&kiosk->wash, sheet.tick, kiosk->exhibit->visit.wash, kiosk->exhibit->sheet.rate,
                (uint32_t)sheet.number);
 }
@@ -219,7 +225,7 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t 
     const struct kiosk_stage *stage = &kiosk->def.stage;
     switch (order->kind) {
     case ORDER_SHEET:
-        fresh_sheet(kiosk);
+        fresh_sheet(kiosk, now_us);
         break;
     case ORDER_ATTRACT:
         kiosk->attracting = order->on;
@@ -229,13 +235,16 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t 
         hud_show(&kiosk->hud, order->on, now_us);
         break;
     case ORDER_KEEP:
-        stage->keep(stage->context);
+        if (!kiosk->leave.told) {
+            stage->keep(stage->context);
+        }
         break;
     case ORDER_WASH:
-        begin_wash(kiosk);
+        kiosk_begin_wash(kiosk, now_us);
         break;
     case ORDER_POWER:
         kiosk->dark = !order->on;
+        kiosk_leave_stop(kiosk);
         stage->power(stage->context, order->on);
         break;
     case ORDER_STATUS:
@@ -243,11 +252,14 @@ static void obey(struct kiosk *kiosk, const struct visit_order *order, uint64_t 
         kiosk->lines_us = 0;
         break;
     case ORDER_SCENE:
-        hand_over(kiosk);
+        if (!kiosk->leave.told) {
+            hand_over(kiosk);
+        }
         next_scene(kiosk);
         break;
     case ORDER_WELCOME:
         welcome(kiosk);
+        kiosk_leave_hurry(kiosk, now_us);
         break;
     case ORDER_KINDS:
         break;
@@ -268,12 +280,16 @@ static void run_wash(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
     while (wash_action(&kiosk->wash, tick, &action)) {
         kiosk_post(kiosk, &action, 0);
     }
-    if (!wash_over(&kiosk->wash, tick)) {
-        return;
+    if (wash_over(&kiosk->wash, tick)) {
+        kiosk_gone(kiosk, now_us);
     }
+}
+
+void kiosk_gone(struct kiosk *kiosk, uint64_t now_us)
+{
     kiosk->washing = false;
-    if (!kiosk->attracting) {
-        visit_feel(&kiosk->visit, VISIT_WASHED, now_us);
+    if (kiosk->leave.asked || !kiosk->attracting) {
+        visit_feel(&kiosk->visit, kiosk->leave.asked ? VISIT_SCENE : VISIT_WASHED, now_us);
         kiosk_obey(kiosk, now_us);
         return;
     }
@@ -284,10 +300,10 @@ static void run_wash(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
     } else if (kiosk->exhibit->visit.next_scene > 0 && kiosk->paintings >= kiosk->exhibit->visit.next_scene) {
         next_scene(kiosk);
     }
-    fresh_sheet(kiosk);
+    fresh_sheet(kiosk, now_us);
 }
 
-static void run_attract(struct kiosk *kiosk, int64_t tick)
+static void run_attract(struct kiosk *kiosk, int64_t tick, uint64_t now_us)
 {
     struct action action;
     if (!kiosk->begun) {
@@ -305,7 +321,7 @@ static void run_attract(struct kiosk *kiosk, int64_t tick)
         kiosk->wanted = 0;
     }
     if (attract_over(kiosk->attract, tick) || kiosk->wanted > 0) {
-        begin_wash(kiosk);
+        kiosk_begin_wash(kiosk, now_us);
         kiosk->slide_due = kiosk->exhibit->gallery.slides > 0;
     }
 }
@@ -324,10 +340,13 @@ static void run_sheet(struct kiosk *kiosk, uint64_t now_us)
     lay_ground(kiosk);
     kiosk_run_garden(kiosk);
     kiosk_run_maps(kiosk, now_us);
+    if (kiosk->leave.state == LEAVE_WAITS || kiosk->leave.state == LEAVE_COVERS) {
+        return; /* kiosk_run_leave */
+    }
     if (kiosk->washing) {
         run_wash(kiosk, sheet.tick, now_us);
     } else if (kiosk->attracting) {
-        run_attract(kiosk, sheet.tick);
+        run_attract(kiosk, sheet.tick, now_us);
     }
 }
 
@@ -377,6 +396,7 @@ void kiosk_run(struct kiosk *kiosk, uint64_t now_us, time_t time)
     kiosk_run_access(kiosk, now_us);
     visit_run(&kiosk->visit, now_us);
     kiosk_obey(kiosk, now_us);
+    kiosk_run_leave(kiosk, now_us);
     run_sheet(kiosk, now_us);
     tell_status(kiosk, now_us);
 }
@@ -388,6 +408,7 @@ static int sooner(int a, int b)
 
 int kiosk_timeout_ms(const struct kiosk *kiosk, uint64_t now_us, int most)
 {
+    most = kiosk_is_covered(kiosk) ? sooner(most, FADE_MS) : most;
     int ms = sooner(most, visit_timeout_ms(&kiosk->visit, now_us)), fade = hud_timeout_ms(&kiosk->hud, now_us);
     ms = sooner(ms, fade == 0 || access_moves(&kiosk->access) ? FADE_MS : fade);
     ms = sooner(ms, access_timeout_ms(&kiosk->access, now_us));
@@ -420,7 +441,7 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     kiosk_obey(kiosk, now_us);
     bool other = kiosk_scene(kiosk)->kind != before->kind;
     if (kiosk->attracting || other) { /* what paints itself begins anew; what a visitor has painted stays */
-        fresh_sheet(kiosk);
+        fresh_sheet(kiosk, now_us);
     } else if (kiosk_kind(kiosk) != SCENE_PAINTING) {
         kiosk_change_options(kiosk, &before->options);
     }
@@ -467,6 +488,11 @@ const struct exhibit *kiosk_shows(const struct kiosk *kiosk)
 const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk)
 {
     return &kiosk->exhibit->scenes[kiosk->scene];
+}
+
+bool kiosk_is_covered(const struct kiosk *kiosk)
+{
+    return kiosk->leave.state != LEAVE_NOT;
 }
 
 bool kiosk_staff(const struct kiosk *kiosk)

@@ -51,6 +51,10 @@ struct kiosk_stage {
     bool (*inputs)(void *context, int scene, struct action *actions, int *count);
     /* What is to be seen on the sheet now is what scene `scene` has come to, which others take. May be NULL. */
     void (*hand)(void *context, int scene);
+    /* A transition (enum transition_kind) lies over everything but the kiosk's pieces: from nothing at share 0 to all
+     * at 1, and to nothing at 2 (transition.h). False: it is not ready to be seen yet, and is asked for again. A wash:
+     * none does any more. Called each kiosk_run while one is there. NULL: nothing is seen of them. */
+    bool (*cover)(void *context, int kind, uint32_t seed, double share);
 };
 
 struct kiosk_def {
@@ -104,6 +108,8 @@ void kiosk_keep_hours(struct kiosk *kiosk, enum kiosk_hours hours);
 
 const struct exhibit *kiosk_shows(const struct kiosk *kiosk);
 const struct exhibit_scene *kiosk_scene(const struct kiosk *kiosk);
+/* A transition is over the sheet, or is about to be: each frame is another. */
+bool kiosk_is_covered(const struct kiosk *kiosk);
 /* The staff's view is up. */
 bool kiosk_staff(const struct kiosk *kiosk);
 /* The staff wants to leave. */

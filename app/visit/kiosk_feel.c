@@ -191,6 +191,7 @@ bool kiosk_act(struct kiosk *kiosk, const struct action *action, uint64_t event_
     if (!scene_takes(kiosk_kind(kiosk), action->verb)) {
         return true;
     }
+    kiosk_leave_touched(kiosk, now_us);
     visit_feel(&kiosk->visit, VISIT_PAINT, now_us);
     kiosk_obey(kiosk, now_us);
     if (!visit_paints(&kiosk->visit)) {
@@ -296,7 +297,7 @@ void kiosk_wish(struct kiosk *kiosk, const struct wish *wish, uint64_t now_us)
         kiosk_choose(kiosk, seat);
         break;
     case WISH_NEXT_SCENE:
-        visit_feel(&kiosk->visit, VISIT_SCENE, now_us);
+        kiosk_ask_scene(kiosk, now_us);
         break;
     case WISH_NEXT_LANGUAGE:
         kiosk->hud.language = hud_next_language(&kiosk->hud);

@@ -205,6 +205,7 @@ const struct kiosk_pieces *kiosk_look(struct kiosk *kiosk, uint64_t now_us)
         hud_draw_mark(&kiosk->hud, &kiosk->images[LOOK_MARK]);
         put(kiosk, LOOK_MARK, 1);
     }
+    kiosk->pieces.changed = kiosk_is_covered(kiosk);
     for (int i = 0; i < KIOSK_PIECES; i++) {
         bool seen = kiosk->pieces.piece[i].opacity > 0;
         kiosk->pieces.changed = kiosk->pieces.changed || !same(&old.piece[i], &kiosk->pieces.piece[i]) ||

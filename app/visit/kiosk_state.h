@@ -10,10 +10,29 @@
 #include "schedule.h"
 #include "staff.h"
 #include "swallow.h"
+#include "transition.h"
 #include "visit.h"
 #include "wash.h"
 
 enum { KIOSK_AXES = 32, KIOSK_HANDS = 64 };
+
+/* How a sheet goes where it is not washed (kiosk_leave.c). */
+struct kiosk_leave {
+    enum kiosk_leaving {
+        LEAVE_NOT,
+        LEAVE_WAITS,  /* for the stage */
+        LEAVE_COVERS, /* the old sheet is seen less and less */
+        LEAVE_HIDES,  /* all is covered, and the sheet is another */
+        LEAVE_BARES,  /* the new sheet is seen more and more */
+        LEAVE_BACK,   /* somebody has touched it: what has come so far goes again, over the new sheet */
+    } state;
+    int kind; /* enum transition_kind */
+    uint32_t seed;
+    uint64_t since_us, lasts_us; /* of the state */
+    double from, to;             /* share of the transition at its beginning and end */
+    bool asked;                  /* the next scene has been asked for, and comes when all is covered, or washed */
+    bool told;                   /* what is being washed for it has been kept and handed over */
+};
 
 struct kiosk {
     struct kiosk_def def;
@@ -27,6 +46,7 @@ struct kiosk {
     struct attract *attract;
     struct wash wash;
     struct swallow swallow;
+    struct kiosk_leave leave;
 
     struct scene_options options; /* of the scene, as they are now (kiosk_options.c) */
     /* Of a scene of trees (kiosk_garden.c). */
@@ -105,7 +125,26 @@ void kiosk_next_kind(struct kiosk *kiosk, uint64_t now_us);
 /* What was picked on a map since. */
 void kiosk_run_maps(struct kiosk *kiosk, uint64_t now_us);
 
+/* kiosk_leave.c */
+/* The sheet begins to go as its scene does. False: it is to be washed. */
+bool kiosk_leave(struct kiosk *kiosk, uint64_t now_us);
+void kiosk_run_leave(struct kiosk *kiosk, uint64_t now_us);
+/* The sheet is another: what covers the old one goes back, unless all is covered. */
+void kiosk_leave_sheet(struct kiosk *kiosk, uint64_t now_us);
+/* Somebody is there and wants to see the sheet. */
+void kiosk_leave_hurry(struct kiosk *kiosk, uint64_t now_us);
+/* The screen is off. */
+void kiosk_leave_stop(struct kiosk *kiosk);
+/* The next scene, as this one goes. */
+void kiosk_ask_scene(struct kiosk *kiosk, uint64_t now_us);
+/* Somebody paints, who does not wait for the scene that was asked for: it comes at once. */
+void kiosk_leave_touched(struct kiosk *kiosk, uint64_t now_us);
+
 /* kiosk.c */
+/* The sheet goes as its scene does. */
+void kiosk_begin_wash(struct kiosk *kiosk, uint64_t now_us);
+/* The sheet is washed, or covered: what comes then. */
+void kiosk_gone(struct kiosk *kiosk, uint64_t now_us);
 void kiosk_layout(struct kiosk *kiosk);
 /* An action of a visitor. */
 bool kiosk_post(struct kiosk *kiosk, const struct action *action, uint64_t event_us);

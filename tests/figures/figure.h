@@ -38,17 +38,18 @@ void figure_edge(struct figure *figure);      /* figure_drop.c: section 6.3.3 */
 void figure_wet(struct figure *figure);       /* section 5.3 */
 void figure_extent(struct figure *figure);    /* figure_fluid.c */
 void figure_mass(struct figure *figure);
-void figure_random(struct figure *figure);    /* figure_random.c */
-void figure_brushes(struct figure *figure);   /* figure_brushes.c */
-void figure_margin(struct figure *figure);    /* figure_margin.c */
-void figure_rest(struct figure *figure);      /* figure_rest.c */
-void figure_wash(struct figure *figure);      /* figure_wash.c */
-void figure_vision(struct figure *figure);    /* figure_vision.c */
-void figure_attract(struct figure *figure);   /* figure_attract.c */
-void figure_history(struct figure *figure);   /* figure_history.c */
-void figure_gpu(struct figure *figure);       /* figure_gpu.c */
-void figure_visit(struct figure *figure);     /* figure_visit.c */
-void figure_dendrites(struct figure *figure); /* figure_trees.c */
+void figure_random(struct figure *figure);     /* figure_random.c */
+void figure_brushes(struct figure *figure);    /* figure_brushes.c */
+void figure_margin(struct figure *figure);     /* figure_margin.c */
+void figure_rest(struct figure *figure);       /* figure_rest.c */
+void figure_wash(struct figure *figure);       /* figure_wash.c */
+void figure_transition(struct figure *figure); /* figure_transition.c */
+void figure_vision(struct figure *figure);     /* figure_vision.c */
+void figure_attract(struct figure *figure);    /* figure_attract.c */
+void figure_history(struct figure *figure);    /* figure_history.c */
+void figure_gpu(struct figure *figure);        /* figure_gpu.c */
+void figure_visit(struct figure *figure);      /* figure_visit.c */
+void figure_dendrites(struct figure *figure);  /* figure_trees.c */
 void figure_metaphors(struct figure *figure);
 void figure_trees(struct figure *figure);
 void figure_composites(struct figure *figure);

@@ -34,6 +34,7 @@ static const struct figure_group GROUPS[] = {
     {"margin", "growth over the edge of the sheet", figure_margin},
     {"rest", "a finished painting comes to rest", figure_rest},
     {"wash", "water washes a sheet", figure_wash},
+    {"transition", "a sheet freezes over, or dries, and the next one comes", figure_transition},
     {"visit", "what a visitor sees, in every state, language, hand", figure_visit},
     {"vision", "palettes for colour-blind eyes", figure_vision},
     {"attract", "what the sheet paints by itself", figure_attract},

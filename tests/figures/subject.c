@@ -108,9 +108,9 @@ int64_t subject_area(struct subject *subject)
     return area;
 }
 
-static uint8_t *take_pixels(const struct sheet *sheet)
+static uint8_t *take_pixels(int side)
 {
-    return take((size_t)sheet_side(sheet) * (size_t)sheet_side(sheet), 3, "pixels");
+    return take((size_t)side * (size_t)side, 3, "pixels");
 }
 
 void subject_show_depth(struct subject *subject, struct sheet *sheet, const char *label, ...)
@@ -120,7 +120,7 @@ void subject_show_depth(struct subject *subject, struct sheet *sheet, const char
     va_start(arguments, label);
     vsnprintf(text, sizeof text, label, arguments);
     va_end(arguments);
-    uint8_t *rgb = take_pixels(sheet);
+    uint8_t *rgb = take_pixels(sheet_side(sheet));
     int side = sheet_side(sheet);
     if (!picture_grey(subject_depth(subject), subject->width, subject->height, 0.0f, 0.9f, side, side, rgb)) {
         figure_stop("greys", "no memory, or no legal size");
@@ -149,15 +149,10 @@ static struct picture_planes gather(struct subject *subject)
     return planes;
 }
 
-void subject_show_ink(struct subject *subject, struct sheet *sheet, enum subject_light light, const char *label, ...)
+uint8_t *subject_picture(struct subject *subject, int side, enum subject_light light)
 {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, label);
-    vsnprintf(text, sizeof text, label, arguments);
-    va_end(arguments);
     struct picture_def def = picture_default_def();
-    def.width = def.height = sheet_side(sheet);
+    def.width = def.height = side;
     def.cells_x = subject->width;
     def.cells_y = subject->height;
     def.plain = light != SUBJECT_LIT;
@@ -167,12 +162,23 @@ void subject_show_ink(struct subject *subject, struct sheet *sheet, enum subject
     if (!picture) {
         figure_stop("picture", "no memory, or no legal size");
     }
-    uint8_t *rgb = take_pixels(sheet);
+    uint8_t *rgb = take_pixels(side);
     struct picture_planes planes = gather(subject);
     picture_draw(picture, &planes, rgb);
+    picture_destroy(picture);
+    return rgb;
+}
+
+void subject_show_ink(struct subject *subject, struct sheet *sheet, enum subject_light light, const char *label, ...)
+{
+    char text[256];
+    va_list arguments;
+    va_start(arguments, label);
+    vsnprintf(text, sizeof text, label, arguments);
+    va_end(arguments);
+    uint8_t *rgb = subject_picture(subject, sheet_side(sheet), light);
     sheet_add(sheet, rgb, "%s", text);
     free(rgb);
-    picture_destroy(picture);
 }
 
 static void show_grown(struct subject *subject, struct sheet *sheet, const char *label,

@@ -37,6 +37,8 @@ int64_t subject_area(struct subject *subject);
 void subject_show_depth(struct subject *subject, struct sheet *sheet, const char *label, ...)
     __attribute__((format(printf, 3, 4)));
 enum subject_light { SUBJECT_PLAIN, SUBJECT_PLAIN_CMY, SUBJECT_LIT };
+/* Its ink as a picture of side * side * 3 bytes; the caller's to free. */
+uint8_t *subject_picture(struct subject *subject, int side, enum subject_light light);
 void subject_show_ink(struct subject *subject, struct sheet *sheet, enum subject_light light, const char *label, ...)
     __attribute__((format(printf, 4, 5)));
 

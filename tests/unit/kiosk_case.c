@@ -54,6 +54,7 @@ static void fresh(void *context)
     struct hall *hall = context;
     tell(hall, HALL_FRESH);
     hall->sheet = (struct kiosk_sheet){.number = hall->sheet.number + 1};
+    hall->fresh_share = hall->cover == TRANSITION_WASH ? -1 : hall->cover_share;
     if (hall->tick) {
         hall->tick(hall->context, true);
     }
@@ -105,6 +106,15 @@ static void hand(void *context, int scene)
     hall->hands = scene;
 }
 
+static bool cover(void *context, int kind, uint32_t seed, double share)
+{
+    struct hall *hall = context;
+    hall->cover = kind;
+    hall->cover_seed = seed;
+    hall->cover_share = share;
+    return hall->uncovered-- <= 0;
+}
+
 struct exhibit *hall_exhibit(const char *yaml)
 {
     struct script_def def = script_default_def();
@@ -146,13 +156,14 @@ static struct hall *open_hall(const char *yaml, int width, int height, bool resu
     assert_non_null(exhibit->inputs); /* give them, so that nobody else owns them */
     struct inputs *own;
     hall->controls = controls_of(exhibit, &own);
-    struct kiosk_def def = {.exhibit = exhibit,
-                            .width = width,
-                            .height = height,
-                            .seed = 1,
-                            .built = 1700000000,
-                            .resume = resume,
-                            .stage = {hall, post, fresh, change, keep, power, sheet, NULL, NULL, stock, inputs, hand}};
+    struct kiosk_def def = {
+        .exhibit = exhibit,
+        .width = width,
+        .height = height,
+        .seed = 1,
+        .built = 1700000000,
+        .resume = resume,
+        .stage = {hall, post, fresh, change, keep, power, sheet, NULL, NULL, stock, inputs, hand, cover}};
     hall->kiosk = kiosk_create(&def, hall->now_us);
     assert_non_null(hall->kiosk);
     kiosk_controls(hall->kiosk, hall->controls);

@@ -38,10 +38,15 @@ struct hall {
     int picture;  /* that is grown over */
     bool reading; /* the next one is not there yet */
     float shade;
-    bool unready;                                            /* what scenes take from others is not ready */
-    int handed;                                              /* times that a scene was handed over, */
-    int hands;                                               /* the last of them, */
-    int taken;                                               /* times that a scene took what others give */
+    bool unready; /* what scenes take from others is not ready */
+    int handed;   /* times that a scene was handed over, */
+    int hands;    /* the last of them, */
+    int taken;    /* times that a scene took what others give */
+    int cover;    /* transition that is seen now, enum transition_kind */
+    uint32_t cover_seed;
+    double cover_share;
+    double fresh_share;                                      /* of it, when the sheet was fresh last */
+    int uncovered;                                           /* frames that it takes until it is ready to be seen */
     const struct script *script;                             /* that was changed to last */
     bool (*act)(void *context, const struct action *action); /* NULL, or who does what is posted */
     void (*tick)(void *context, bool fresh);

@@ -14,6 +14,7 @@
 #include "ink.h"
 #include "near.h"
 #include "script_sheet.h"
+#include "transition.h"
 
 static void a_version_alone_is_an_exhibit(void **state)
 {
@@ -349,8 +350,8 @@ static void scenes_of_trees_grow_as_their_metaphor_does_and_as_is_given(void **s
         "exhibit: 1\n"
         "pictures: fine\n"
         "scenes:\n"
-        "  - {id: a}\n"
-        "  - {id: b, kind: trees}\n"
+        "  - {id: a, leave: dry}\n"
+        "  - {id: b, kind: trees, leave: freeze}\n"
         "  - {id: c, kind: trees, inks: [ochre], trees: {light: true, endpoints: 900, metaphor: vine, "
         "over: good.png, gain: 1.25, metric: cumulative}}\n"
         "  - {id: d, kind: trees, trees: {tree: true, picture: 0.5}}\n"
@@ -359,6 +360,9 @@ static void scenes_of_trees_grow_as_their_metaphor_does_and_as_is_given(void **s
     struct growth_def ink = growth_preset(METAPHOR_INK, false), vine = growth_preset(METAPHOR_VINE, false);
     assert_int_equal(scenes[0].kind, SCENE_PAINTING);
     assert_int_equal(scenes[1].kind, SCENE_TREES);
+    assert_int_equal(scenes[0].leave, TRANSITION_DRY);
+    assert_int_equal(scenes[1].leave, TRANSITION_FREEZE);
+    assert_int_equal(scenes[2].leave, TRANSITION_WASH);
     assert_null(scenes[1].picture);
     assert_memory_equal(&scenes[1].options.trees, &ink, sizeof ink);
     vine.light = true;

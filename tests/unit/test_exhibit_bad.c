@@ -226,6 +226,13 @@ static const struct script_case BAD[] = {
            "  - {id: wood, kind: tree}\n"),
      "s.yaml:3:22: scenes[0].kind: unknown choice 'tree'; did you mean trees? One of painting, trees, lightning, "
      "chemistry\n"},
+    {"a way to leave",
+     BYTES("exhibit: 1\n"
+           "scenes:\n"
+           "  - {id: pane, leave: frieze}\n"
+           "  - {id: sheet, leave: [dry]}\n"),
+     "s.yaml:3:23: scenes[0].leave: unknown choice 'frieze'; did you mean freeze? One of wash, dry, freeze\n"
+     "s.yaml:4:24: scenes[1].leave: a list where a name should be; one of wash, dry, freeze\n"},
     {"trees of a painting",
      BYTES("exhibit: 1\n"
            "scenes:\n"
