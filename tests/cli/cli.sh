@@ -110,7 +110,7 @@ expect 1 check no-such.yaml
 says "no-such.yaml: cannot be read: No such file or directory"
 printf 'exhibit: 1\nscenes:\n  - {id: a}\n  - {id: b, inputs: [{from: a, as: mask}]}\n' >empty.yaml
 expect 0 check empty.yaml # it can be shown
-grep -q "^empty.yaml:4:21: scenes\[1\].inputs\[0\].from: warning: " err.txt || fail "$last: no warning"
+grep -q "^empty.yaml:4:22: scenes\[1\].inputs\[0\].from: warning: " err.txt || fail "$last: no warning"
 
 # A wrong script leaves no file behind.
 expect 1 render bad.yaml -o bad.png --stats bad.json --fields bad.exr --frames bad

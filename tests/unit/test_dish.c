@@ -195,45 +195,6 @@ static void ends(void **state)
     dish_destroy(dish);
 }
 
-/* A pattern that is to live for hours is sown anew where it has died, unless somebody has taken it away. */
-static void what_dies_out_is_sown_anew(void **state)
-{
-    (void)state;
-    const float kill = gray_scott_presets[0].kill;
-    uint64_t hashes[2];
-    for (int time = 0; time < 3; time++) {
-        struct dish *dish = fresh();
-        int64_t tick = 0, died = 0;
-        do_react(dish, "preset", 0);
-        do_react(dish, "steps", 32);
-        assert_true(dish_tick(dish, tick++));
-        double first = mean_v(dish, 0, 1);
-        do_react(dish, "kill", 0.08f);
-        for (; tick < 110; tick++) {
-            assert_true(dish_tick(dish, tick));
-        }
-        do_react(dish, "kill", kill); /* as if chance had done it */
-        if (time == 2) {
-            do_dose(dish, 0.5f, 0.5f, 3, true);
-        }
-        for (; tick < 2000 && (died == 0 || mean_v(dish, 0, 1) == 0); tick++) {
-            assert_true(dish_tick(dish, tick));
-            died = died == 0 && mean_v(dish, 0, 1) == 0 ? tick : died;
-            assert_true(died == 0 || time == 2 || !dish_is_calm(dish));
-        }
-        assert_in_range(died, 110, 600);
-        if (time < 2) {
-            assert_in_range(tick - died, 200, 400);
-            assert_true(mean_v(dish, 0, 1) > first / 3);
-            hashes[time] = hash_of(dish);
-        } else {
-            assert_true(dish_is_calm(dish) && mean_v(dish, 0, 1) == 0);
-        }
-        dish_destroy(dish);
-    }
-    assert_true(hashes[0] == hashes[1]);
-}
-
 static void doses(void **state)
 {
     (void)state;
@@ -610,14 +571,10 @@ static void repeats(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(table),   cmocka_unit_test(starts),
-        cmocka_unit_test(ends),    cmocka_unit_test(what_dies_out_is_sown_anew),
-        cmocka_unit_test(doses),   cmocka_unit_test(takes),
-        cmocka_unit_test(combs),   cmocka_unit_test(slants),
-        cmocka_unit_test(styles),  cmocka_unit_test(washes),
-        cmocka_unit_test(freezes), cmocka_unit_test(sizes),
-        cmocka_unit_test(looks),   cmocka_unit_test(fields),
-        cmocka_unit_test(repeats),
+        cmocka_unit_test(table),  cmocka_unit_test(starts),  cmocka_unit_test(ends),   cmocka_unit_test(doses),
+        cmocka_unit_test(takes),  cmocka_unit_test(combs),   cmocka_unit_test(slants), cmocka_unit_test(styles),
+        cmocka_unit_test(washes), cmocka_unit_test(freezes), cmocka_unit_test(sizes),  cmocka_unit_test(looks),
+        cmocka_unit_test(fields), cmocka_unit_test(repeats),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

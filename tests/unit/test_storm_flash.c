@@ -28,7 +28,7 @@ static struct flash_worst strike_all(const struct hail *hail)
     struct flash *flash = flash_begin(WIDTH, HEIGHT);
     uint8_t *rgb = malloc(3 * WIDTH * HEIGHT);
     assert_non_null(rgb);
-    storm_case_set(storm, 0, "clear", hail->ground >= 0);
+    storm_case_set(storm, 0, "clear", hail->ground >= 0 ? 1.0f : 0.0f);
     if (hail->thickness > 0) {
         storm_case_set(storm, 0, "thickness", hail->thickness);
         storm_case_set(storm, 0, "life", hail->life);
