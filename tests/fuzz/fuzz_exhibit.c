@@ -7,6 +7,7 @@
 
 #include "coefficients.h"
 #include "exhibit.h"
+#include "exhibit_read.h"
 #include "ink.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -54,6 +55,24 @@ static const struct key *table(const char *name)
     return tables->keys;
 }
 
+/* What pictures and the opening do to a fresh sheet: the pictures have come, and actions are within their keys. */
+static void check_ground(const struct exhibit_scene *scene)
+{
+    int guides = 0, masks = 0;
+    assert(scene->ground_count >= 0 && scene->ground_count <= 2 + EXHIBIT_STRUCTURES + EXHIBIT_OPENING);
+    for (int k = 0; k < scene->ground_count; k++) {
+        const struct action *action = &scene->ground[k];
+        const struct action_raster *raster = &action->picture;
+        assert(action->verb < ACTION_VERBS);
+        assert(k < scene->opening || scene_takes((enum scene_kind)scene->kind, action->verb));
+        check_range(action_keys(action->verb), action);
+        assert(!raster->values || (raster->width > 0 && raster->height > 0 && isfinite(raster->values[0])));
+        guides += action->verb == ACTION_GUIDE && raster->values && raster->width == scene->script->width;
+        masks += action->verb == ACTION_MASK && raster->values && raster->width == scene->script->width;
+    }
+    assert(guides >= (scene->guide != NULL) && masks >= (scene->mask != NULL));
+}
+
 static void check_scenes(const struct exhibit *exhibit)
 {
     assert(exhibit->scene_count >= 1 && exhibit->scene_count <= EXHIBIT_SCENES);
@@ -68,11 +87,7 @@ static void check_scenes(const struct exhibit *exhibit)
             assert(script->inks[k] >= 0 && inks[script->inks[k]].name);
         }
         check_range(coefficient_keys, &script->coefficients);
-        assert(scene->ground_count == (scene->guide != NULL) + (scene->mask != NULL));
-        for (int k = 0; k < scene->ground_count; k++) {
-            const struct action_raster *raster = &scene->ground[k].picture;
-            assert(raster->values && raster->width == script->width && isfinite(raster->values[0]));
-        }
+        check_ground(scene);
     }
 }
 
