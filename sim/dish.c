@@ -87,21 +87,17 @@ static void see(struct dish *dish)
     }
 }
 
-/* Values of so many cells, bilinear between those of others; `channels` of them. False when memory is short. */
-static bool refit(float **values, int channels, int columns, int rows, int width, int height)
+/* Values of so many cells, bilinear between those of others; `channels` of them. NULL for none, and when memory is
+ * short. */
+static float *refitted(const float *values, int channels, int columns, int rows, int width, int height)
 {
     size_t count = (size_t)width * (size_t)height;
-    float *other = *values ? malloc((size_t)channels * count * sizeof *other) : NULL;
-    if (!other) {
-        return !*values;
-    }
-    for (int channel = 0; channel < channels; channel++) {
-        const float *plane = *values + (size_t)channel * (size_t)columns * (size_t)rows;
+    float *other = values ? malloc((size_t)channels * count * sizeof *other) : NULL;
+    for (int channel = 0; channel < channels && other; channel++) {
+        const float *plane = values + (size_t)channel * (size_t)columns * (size_t)rows;
         dish_sample(plane, columns, rows, width, height, other + (size_t)channel * count);
     }
-    free(*values);
-    *values = other;
-    return true;
+    return other;
 }
 
 void dish_regrid(struct dish *dish)
@@ -113,16 +109,23 @@ void dish_regrid(struct dish *dish)
     }
     struct gray_scott *other = gray_scott_resampled(dish->chemistry, width, height);
     float *seen = other ? calloc((size_t)width * (size_t)height, sizeof *seen) : NULL;
-    if (!seen || !refit(&dish->along, 2, columns, rows, width, height) ||
-        !refit(&dish->dry, 1, columns, rows, width, height)) {
+    float *along = refitted(dish->along, 2, columns, rows, width, height);
+    float *dry = refitted(dish->dry, 1, columns, rows, width, height);
+    if (!seen || (dish->along && !along) || (dish->dry && !dry)) {
         gray_scott_destroy(other);
         free(seen);
+        free(along);
+        free(dry);
         dish->failed = true;
         return;
     }
     gray_scott_destroy(dish->chemistry);
     free(dish->seen);
     free(dish->before);
+    free(dish->along);
+    free(dish->dry);
+    dish->along = along;
+    dish->dry = dry;
     dish->chemistry = other;
     dish->seen = seen;
     dish->before = NULL;

@@ -31,7 +31,7 @@ enum scene_field {
     FIELD_DARK,   /* one channel, 0..1: 0 where it has grown, 1 where nothing is, as ink on paper */
     FIELD_ALONG,  /* two channels, -1..1: the direction in which it grew there, x right and y down, length at most 1 */
     FIELD_AROUND, /* one channel, 0..1: what it makes of its surroundings: the potential of a bolt (0 on it), the fresh
-                     chemical u, the importance of a picture; of a painting the solvent's reach */
+                     chemical u, the importance of a picture; of a painting 0 where solvent is */
     SCENE_FIELDS,
 };
 extern const char *const scene_field_names[SCENE_FIELDS + 1]; /* "dark", "along", "around"; ends with NULL */
