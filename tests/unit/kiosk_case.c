@@ -297,3 +297,17 @@ bool hall_find(const struct hall *hall, int panel, int kind, int value, struct p
     }
     return false;
 }
+
+void hall_touch(struct hall *hall, enum event_kind kind, int slot, float x, float y)
+{
+    struct event event = {.kind = kind, .source = SOURCE_TOUCH, .device = 1, .slot = slot, .x = x, .y = y};
+    hall_feel(hall, &event);
+}
+
+void hall_press(struct hall *hall, int kind, int value)
+{
+    struct point at = {0, 0};
+    hall_wait(hall, 3); /* it comes back */
+    assert_true(hall_find(hall, 0, kind, value, &at));
+    hall_tap(hall, at.x, at.y, 0.1);
+}

@@ -64,6 +64,10 @@ void hall_wait(struct hall *hall, double seconds);
 void hall_feel(struct hall *hall, const struct event *event);
 /* A finger comes down and leaves after so long, 0..1 of the sheet. */
 void hall_tap(struct hall *hall, float x, float y, double seconds);
+/* A finger of the first touchscreen. */
+void hall_touch(struct hall *hall, enum event_kind kind, int slot, float x, float y);
+/* A button of the palette, once that is back; fails when it has none. */
+void hall_press(struct hall *hall, int kind, int value);
 void hall_drag(struct hall *hall, float x, float y, float to_x, float to_y, double seconds);
 void hall_button(struct hall *hall, uint32_t number, double seconds);
 /* How often it was told that, since the `since`th; of posts only those of this verb, if it is one. */

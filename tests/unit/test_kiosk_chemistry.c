@@ -36,21 +36,6 @@ enum { DOSE, KIND, SWITCH };
 static const uint32_t RX = HID_USAGE(HID_PAGE_DESKTOP, 0x33), RY = HID_USAGE(HID_PAGE_DESKTOP, 0x34);
 static const struct point MIDDLE = {0.6f, 0.4f};
 
-static void touch(struct hall *hall, enum event_kind kind, float x, float y)
-{
-    struct event event = {.kind = kind, .source = SOURCE_TOUCH, .device = 1, .x = x, .y = y};
-    hall_feel(hall, &event);
-}
-
-/* A button of the palette. */
-static void press(struct hall *hall, int kind, int value)
-{
-    struct point at;
-    hall_wait(hall, 3); /* it comes back */
-    assert_true(hall_find(hall, 0, kind, value, &at));
-    hall_tap(hall, at.x, at.y, 0.1);
-}
-
 static int key_of(const char *name)
 {
     return (int)(key_find(dish_keys, name) - dish_keys);
@@ -75,25 +60,25 @@ static void a_finger_doses_erases_and_takes_back(void **state)
     struct point at;
     hall_wait(hall, 10);
     int before = hall->count;
-    touch(hall, EVENT_DOWN, MIDDLE.x, MIDDLE.y);
+    hall_touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
     assert_int_equal(hall->told[before].what, HALL_FRESH);
     assert_int_equal(hall->told[before + 1].verb, ACTION_REACT); /* the preset first: it brings feed and kill */
     assert_int_equal(hall->told[before + 1].option, key_of("preset"));
     const struct hall_told *dose = &hall->told[hall->count - 1];
     assert_true(dose->verb == ACTION_DOSE && dose->visitor == 1 && dose->us == hall->now_us);
-    touch(hall, EVENT_UP, MIDDLE.x, MIDDLE.y);
+    hall_touch(hall, EVENT_UP, 0, MIDDLE.x, MIDDLE.y);
     assert_false(hall_find(hall, 0, HUD_INK, 0, &at));
     assert_false(hall_find(hall, 0, HUD_TOOL, TOOL_STRIKE, &at));
     before = hall->count;
     hall_drag(hall, 0.5f, 0.4f, 0.7f, 0.4f, 0.3);
     assert_true(hall_painted(hall, before, ACTION_DOSE) >= 5);
     assert_float_equal(hall->told[hall->count - 1].at.x, 0.7, 0.01);
-    press(hall, HUD_TOOL, TOOL_ERASE);
+    hall_press(hall, HUD_TOOL, TOOL_ERASE);
     before = hall->count;
     hall_drag(hall, 0.5f, 0.4f, 0.7f, 0.4f, 0.3);
     assert_true(hall_painted(hall, before, ACTION_DOSE) >= 5);
     hall->sheet.can_undo = 1 << 1;
-    press(hall, HUD_UNDO, 0);
+    hall_press(hall, HUD_UNDO, 0);
     assert_int_equal(hall_painted(hall, before, ACTION_UNDO), 1);
     before = hall->count;
     hall_button(hall, DOSE, 0.1); /* it has no point: somewhere */
@@ -118,7 +103,7 @@ static void a_finger_on_the_map_picks(void **state)
     float place[4];
     hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
     assert_false(hud_map_place(&hall->kiosk->hud, 0, place));
-    press(hall, HUD_TOOL, TOOL_MAP);
+    hall_press(hall, HUD_TOOL, TOOL_MAP);
     hall_wait(hall, 1);
     const struct kiosk_pieces *pieces = kiosk_look(hall->kiosk, hall->now_us);
     assert_true(pieces->piece[LOOK_MAP].opacity > 0.5f);
@@ -127,25 +112,25 @@ static void a_finger_on_the_map_picks(void **state)
     assert_float_equal(hud->map_feed, gray_scott_preset_find("maze")->feed, 1e-6);
     struct point low = map_of(hall, 0.3f, 0.8f), high = map_of(hall, 0.7f, 0.3f);
     int before = hall->count;
-    touch(hall, EVENT_DOWN, low.x, low.y);
+    hall_touch(hall, EVENT_DOWN, 0, low.x, low.y);
     hall_wait(hall, 0.05);
     float feed = reacted(hall, before, "feed"), kill = reacted(hall, before, "kill");
     assert_true(feed > 0 && kill > 0);
     assert_float_equal(hud->map_feed, feed, 1e-6);
-    touch(hall, EVENT_MOVE, high.x, high.y);
+    hall_touch(hall, EVENT_MOVE, 0, high.x, high.y);
     hall_wait(hall, 0.05);
     assert_true(reacted(hall, before, "feed") > feed + 0.01f); /* upwards is more */
     assert_true(reacted(hall, before, "kill") > kill + 0.005f);
-    touch(hall, EVENT_MOVE, 0.99f, 0.01f); /* beyond its corner: the corner */
+    hall_touch(hall, EVENT_MOVE, 0, 0.99f, 0.01f); /* beyond its corner: the corner */
     hall_wait(hall, 0.05);
-    touch(hall, EVENT_UP, 0.99f, 0.01f);
+    hall_touch(hall, EVENT_UP, 0, 0.99f, 0.01f);
     assert_int_equal(hall_count(hall, before, HALL_POST, ACTION_DOSE), 0);
     assert_int_equal(hall_count(hall, before, HALL_POST, ACTION_REACT), 6); /* both rates, each frame at most */
     assert_int_equal(hud->told_count, 2);
     before = hall->count;
     hall_tap(hall, 0.9f, 0.5f, 0.1); /* beside the map it doses */
     assert_int_equal(hall_painted(hall, before, ACTION_DOSE), 1);
-    press(hall, HUD_TOOL, TOOL_DOSE);
+    hall_press(hall, HUD_TOOL, TOOL_DOSE);
     assert_false(hud_map_place(hud, 0, place));
     hall_close(hall);
 }
@@ -190,7 +175,7 @@ static void another_pattern_brings_its_rates(void **state)
     assert_float_equal(reacted(hall, before, "preset"), maze + 1, 0);
     assert_float_equal(hall->kiosk->options.chemistry.reaction.feed, gray_scott_presets[maze + 1].feed, 1e-6);
     assert_float_equal(hall->kiosk->hud.map_kill, gray_scott_presets[maze + 1].kill, 1e-6);
-    press(hall, HUD_METAPHOR, 0);
+    hall_press(hall, HUD_METAPHOR, 0);
     assert_float_equal(reacted(hall, before, "preset"), maze + 2, 0);
     for (int i = 0; i < 40; i++) { /* round and round, there is always a next */
         hall_button(hall, KIND, 0.02);
@@ -249,7 +234,7 @@ static void the_one_switch_doses_and_picks(void **state)
     hall_close(hall);
     hall = hall_open(HEAD "access: {dwell: 1}\nscenes: [{id: dish, kind: chemistry}]\n");
     hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.1);
-    press(hall, HUD_TOOL, TOOL_MAP);
+    hall_press(hall, HUD_TOOL, TOOL_MAP);
     hall_wait(hall, 1);
     struct point at = map_of(hall, 0.5f, 0.5f);
     before = hall->count;

@@ -34,21 +34,6 @@ enum { STRIKE, KIND, SWITCH, WHEEL };
 
 static const struct point MIDDLE = {0.45f, 0.4f};
 
-static void touch(struct hall *hall, enum event_kind kind, int slot, float x, float y)
-{
-    struct event event = {.kind = kind, .source = SOURCE_TOUCH, .device = 1, .slot = slot, .x = x, .y = y};
-    hall_feel(hall, &event);
-}
-
-/* A button of the palette. */
-static void press(struct hall *hall, int kind, int value)
-{
-    struct point at;
-    hall_wait(hall, 3); /* it comes back */
-    assert_true(hall_find(hall, 0, kind, value, &at));
-    hall_tap(hall, at.x, at.y, 0.1);
-}
-
 static int key_of(const char *name)
 {
     return (int)(key_find(storm_keys, name) - storm_keys);
@@ -88,7 +73,7 @@ static void a_first_touch_strikes_on_a_sheet_with_its_opening(void **state)
     hall_wait(hall, 20);
     assert_string_equal(kiosk_state(hall->kiosk), "attract");
     int before = hall->count;
-    touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
+    hall_touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
     assert_string_equal(kiosk_state(hall->kiosk), "painting");
     assert_int_equal(hall->told[before].what, HALL_FRESH);
     assert_int_equal(hall->told[before + 1].verb, ACTION_CONDUCT); /* the kind first: it brings its own values */
@@ -111,28 +96,28 @@ static void a_hand_that_stays_attracts_and_one_that_repels_repels(void **state)
 {
     (void)state;
     struct hall *hall = hall_open(STORM);
-    touch(hall, EVENT_DOWN, 3, 0.5f, 0.5f);
+    hall_touch(hall, EVENT_DOWN, 3, 0.5f, 0.5f);
     int before = hall->count;
     hall_wait(hall, 0.3);
     const struct hall_told *hand = last(hall, before, ACTION_ATTRACT);
     assert_true(hand->has_at && hand->value > 0 && hand->visitor >= CONTROLS_HANDS);
     int number = hand->visitor;
     for (int i = 1; i <= 30; i++) {
-        touch(hall, EVENT_MOVE, 3, 0.5f + 0.01f * (float)i, 0.5f);
+        hall_touch(hall, EVENT_MOVE, 3, 0.5f + 0.01f * (float)i, 0.5f);
         hall_wait(hall, 0.016);
     }
     hall_wait(hall, 0.2);
     assert_float_equal(last(hall, before, ACTION_ATTRACT)->at.x, 0.8, 0.009);
-    touch(hall, EVENT_UP, 3, 0.8f, 0.5f);
+    hall_touch(hall, EVENT_UP, 3, 0.8f, 0.5f);
     assert_true(!last(hall, before, ACTION_ATTRACT)->has_at && last(hall, before, ACTION_ATTRACT)->visitor == number);
     assert_int_equal(hall_count(hall, before, HALL_POST, ACTION_STRIKE), 0);
-    press(hall, HUD_TOOL, TOOL_REPEL);
+    hall_press(hall, HUD_TOOL, TOOL_REPEL);
     before = hall->count;
-    touch(hall, EVENT_DOWN, 0, 0.6f, 0.5f);
+    hall_touch(hall, EVENT_DOWN, 0, 0.6f, 0.5f);
     assert_true(last(hall, before, ACTION_ATTRACT)->has_at && last(hall, before, ACTION_ATTRACT)->value < 0);
-    touch(hall, EVENT_UP, 0, 0.6f, 0.5f);
+    hall_touch(hall, EVENT_UP, 0, 0.6f, 0.5f);
     assert_false(last(hall, before, ACTION_ATTRACT)->has_at);
-    press(hall, HUD_TOOL, TOOL_STROKE);
+    hall_press(hall, HUD_TOOL, TOOL_STROKE);
     before = hall->count;
     hall_drag(hall, 0.4f, 0.4f, 0.6f, 0.4f, 0.3);
     const struct hall_told *line = last(hall, before, ACTION_ATTRACT); /* a line that stays, the seat's own */
@@ -213,7 +198,7 @@ static void a_dial_says_what_it_turns(void **state)
     assert_float_equal(pieces->piece[LOOK_TOLD].opacity, 1, 0.01);
     const struct hud_panel *panel = &hud->panels[0];
     assert_true(pieces->piece[LOOK_TOLD].x >= panel->x + panel->width);
-    press(hall, HUD_METAPHOR, 0);
+    hall_press(hall, HUD_METAPHOR, 0);
     float kind = conducted(hall, before, "kind");
     assert_float_equal(kind, BOLT_LIGHTNING + 1, 0);
     before = hall->count;
@@ -283,7 +268,7 @@ static void a_point_that_rests_and_the_one_switch_strike(void **state)
 {
     (void)state;
     struct hall *hall = hall_open(HEAD "access: {dwell: 1}\nscenes: [{id: storm, kind: lightning}]\n");
-    touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
+    hall_touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
     hall_wait(hall, 1.3);
     assert_int_equal(hall_painted(hall, 0, ACTION_STRIKE), 2); /* the finger, and its rest */
     hall_close(hall);

@@ -48,26 +48,6 @@ static int find(const struct hall *hall, int from, enum action_verb verb)
     return -1;
 }
 
-static struct event finger_at(enum event_kind kind, int slot, float x, float y)
-{
-    return (struct event){.kind = kind, .source = SOURCE_TOUCH, .device = 1, .slot = slot, .x = x, .y = y};
-}
-
-static void touch(struct hall *hall, enum event_kind kind, int slot, float x, float y)
-{
-    struct event event = finger_at(kind, slot, x, y);
-    hall_feel(hall, &event);
-}
-
-/* A button of the palette. */
-static void press(struct hall *hall, int kind, int value)
-{
-    struct point at;
-    hall_wait(hall, 3); /* it comes back */
-    assert_true(hall_find(hall, 0, kind, value, &at));
-    hall_tap(hall, at.x, at.y, 0.1);
-}
-
 static int key_of(const char *name)
 {
     return (int)(key_find(growth_keys, name) - growth_keys);
@@ -93,7 +73,7 @@ static void a_first_touch_plants_on_the_picture_that_is_seen(void **state)
     assert_string_equal(kiosk_state(hall->kiosk), "attract");
     int seen = hall->picture, before = hall->count;
     assert_true(seen > 0); /* attract has gone on to another */
-    touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
+    hall_touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
     assert_string_equal(kiosk_state(hall->kiosk), "painting");
     assert_int_equal(hall->told[before].what, HALL_FRESH);
     assert_int_equal(hall->told[before + 1].verb, ACTION_STOCK);
@@ -114,7 +94,7 @@ static void a_hand_that_stays_is_held_follows_and_is_lifted(void **state)
 {
     (void)state;
     struct hall *hall = hall_open(TREES);
-    touch(hall, EVENT_DOWN, 3, 0.5f, 0.5f);
+    hall_touch(hall, EVENT_DOWN, 3, 0.5f, 0.5f);
     int before = hall->count;
     hall_wait(hall, 0.13);
     assert_int_equal(hall_count(hall, before, HALL_POST, ACTION_HOLD), 0);
@@ -122,7 +102,7 @@ static void a_hand_that_stays_is_held_follows_and_is_lifted(void **state)
     int held = find(hall, before, ACTION_HOLD);
     assert_true(hall->told[held].has_at && hall->told[held].at.x == 0.5f);
     for (int i = 1; i <= 60; i++) { /* a second */
-        touch(hall, EVENT_MOVE, 3, 0.5f + 0.005f * (float)i, 0.5f);
+        hall_touch(hall, EVENT_MOVE, 3, 0.5f + 0.005f * (float)i, 0.5f);
         hall_wait(hall, 0.016);
     }
     hall_wait(hall, 0.2);
@@ -132,13 +112,13 @@ static void a_hand_that_stays_is_held_follows_and_is_lifted(void **state)
     assert_true(last->verb == ACTION_HOLD && last->has_at);
     assert_float_equal(last->at.x, 0.8, 0.009);
     int hand = last->visitor;
-    touch(hall, EVENT_DOWN, 5, 0.2f, 0.2f); /* another hand is another number */
+    hall_touch(hall, EVENT_DOWN, 5, 0.2f, 0.2f); /* another hand is another number */
     hall_wait(hall, 0.3);
     assert_true(hall->told[hall->count - 1].verb == ACTION_HOLD && hall->told[hall->count - 1].visitor != hand);
-    touch(hall, EVENT_UP, 3, 0.8f, 0.5f);
+    hall_touch(hall, EVENT_UP, 3, 0.8f, 0.5f);
     last = &hall->told[hall->count - 1];
     assert_true(last->verb == ACTION_HOLD && last->visitor == hand && !last->has_at);
-    touch(hall, EVENT_CANCEL, 5, 0.2f, 0.2f); /* a palm */
+    hall_touch(hall, EVENT_CANCEL, 5, 0.2f, 0.2f); /* a palm */
     last = &hall->told[hall->count - 1];
     assert_true(last->verb == ACTION_HOLD && last->visitor != hand && !last->has_at);
     before = hall->count;
@@ -157,17 +137,17 @@ static void tools_tend_and_thin_and_undo_is_its_seats(void **state)
     hall->sheet.can_undo = 1 << 1;
     assert_false(hall_find(hall, 0, HUD_INK, 0, &at));
     assert_false(hall_find(hall, 0, HUD_TOOL, TOOL_BRUSH, &at));
-    press(hall, HUD_TOOL, TOOL_TEND);
+    hall_press(hall, HUD_TOOL, TOOL_TEND);
     int before = hall->count;
     hall_drag(hall, 0.4f, 0.4f, 0.6f, 0.4f, 0.3);
     assert_true(hall->told[find(hall, before, ACTION_TEND)].value > 0);
     assert_int_equal(hall_count(hall, before, HALL_POST, ACTION_PLANT), 0);
-    press(hall, HUD_TOOL, TOOL_THIN);
+    hall_press(hall, HUD_TOOL, TOOL_THIN);
     before = hall->count;
     hall_drag(hall, 0.4f, 0.4f, 0.6f, 0.4f, 0.3);
     assert_true(hall->told[find(hall, before, ACTION_TEND)].value < 0);
     before = hall->count;
-    press(hall, HUD_UNDO, 0);
+    hall_press(hall, HUD_UNDO, 0);
     assert_int_equal(hall_painted(hall, before, ACTION_UNDO), 1);
     hall_button(hall, DROP, 0.1); /* no ink falls in a scene of trees */
     assert_int_equal(hall_count(hall, before, HALL_POST, ACTION_DROP), 0);
@@ -180,7 +160,7 @@ static void the_next_picture_comes_when_it_is_read(void **state)
     struct hall *hall = hall_open(TREES);
     hall_tap(hall, MIDDLE.x, MIDDLE.y, 0.05);
     int was = hall->picture, before = hall->count;
-    press(hall, HUD_PICTURE, 0);
+    hall_press(hall, HUD_PICTURE, 0);
     assert_int_equal(hall->told[find(hall, before, ACTION_STOCK)].picture, was + 1);
     assert_int_equal(hall_count(hall, before, HALL_FRESH, ACTION_VERBS), 0); /* what was planted stays */
     hall->reading = true;
@@ -200,8 +180,8 @@ static void a_sheet_whose_picture_is_not_read_yet_gets_it_later(void **state)
     (void)state;
     struct hall *hall = hall_open(TREES);
     hall->reading = true;
-    touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
-    touch(hall, EVENT_UP, 0, MIDDLE.x, MIDDLE.y);
+    hall_touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
+    hall_touch(hall, EVENT_UP, 0, MIDDLE.x, MIDDLE.y);
     assert_int_equal(hall_count(hall, 0, HALL_POST, ACTION_PLANT), 1);
     assert_int_equal(hall_count(hall, 0, HALL_POST, ACTION_STOCK), 0);
     hall->reading = false;
@@ -235,7 +215,7 @@ static void a_dial_shapes_and_another_kind_brings_its_own_values(void **state)
     before = hall->count;
     hall_wait(hall, 1);
     assert_int_equal(hall_count(hall, before, HALL_POST, ACTION_SHAPE), 0);
-    press(hall, HUD_METAPHOR, 0);
+    hall_press(hall, HUD_METAPHOR, 0);
     assert_float_equal(shaped(hall, before, "metaphor"), METAPHOR_VINE + 1, 0);
     before = hall->count;
     turn_wheel(hall, 1);
@@ -329,7 +309,7 @@ static void a_point_that_rests_plants(void **state)
 {
     (void)state;
     struct hall *hall = hall_open(HEAD "access: {dwell: 1}\nscenes: [{id: wood, kind: trees}]\n");
-    touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
+    hall_touch(hall, EVENT_DOWN, 0, MIDDLE.x, MIDDLE.y);
     hall_wait(hall, 1.3);
     assert_int_equal(hall_painted(hall, 0, ACTION_PLANT), 2); /* the finger, and its rest */
     hall_close(hall);
