@@ -13,7 +13,7 @@
 
 #include "bench.h"
 #include "image.h"
-#include "limits.h"
+#include "gpu_limits.h"
 #include "live_loop.h"
 #include "log.h"
 #include "script_sheet.h"

@@ -9,7 +9,7 @@
 
 #include "display.h"
 #include "image.h"
-#include "limits.h"
+#include "gpu_limits.h"
 #include "painting_gpu.h"
 #include "plan.h"
 
