@@ -5,8 +5,8 @@
 
 #include <GLES3/gl31.h>
 
-#include "gray_scott_state.h"
 #include "gpu_limits.h"
+#include "gray_scott_state.h"
 
 enum { BUFFER_CELLS, BUFFER_OTHER, BUFFER_MAPS, BUFFER_TURNS, BUFFER_MOVES, BUFFER_POINTS, BUFFERS };
 enum {

@@ -1,6 +1,6 @@
 /* Segments of Laplacian growth (bolt_light.h) over a finished sheet, on the GPU, for frames that are live: as
- * bolt_light_lay, within the few of 255 that tests/unit/shaders/test_bolt_light_gpu.c says. Lives in the GL context that is
- * current when it is made; every call wants that context. After a context is lost: destroy, create, set anew.
+ * bolt_light_lay, within the few of 255 that tests/unit/shaders/test_bolt_light_gpu.c says. Lives in the GL context
+ * that is current when it is made; every call wants that context. After a context is lost: destroy, create, set anew.
  *
  *     bolt_light_gpu_set(light, view.segments, 0, view.count);           all, or
  *     bolt_light_gpu_set(light, view.segments + first, first, count);    what is new or has changed

@@ -32,7 +32,8 @@ enum {
 /* Bindings of storage blocks, the same in every shader. */
 enum gpu_block { BLOCK_IN, BLOCK_OUT, BLOCK_SHEET, BLOCK_TILES };
 
-/* Planes of a fluid buffer: 9 populations of solvent, 9 of ink, 4 wet pigments, in the order of sim/painting/kernel.h. */
+/* Planes of a fluid buffer: 9 populations of solvent, 9 of ink, 4 wet pigments, in the order of sim/painting/kernel.h.
+ */
 enum { GPU_SOLVENT = 0, GPU_INK = 9, GPU_WET = 18, GPU_FLUID_PLANES = 22 };
 /* Planes of a pattern buffer. */
 enum { GPU_ACTIVE, GPU_CATALYST, GPU_CARVED, GPU_PATTERN_PLANES };
@@ -59,8 +60,9 @@ enum gpu_tile_list {
 enum {
     GPU_LIST_CHUNK = 128, /* tiles of one dispatch: see painting_gpu_steps.c */
     GPU_CHUNKS_MOST = 168,
-    GPU_HEAD_COUNT = 0,  /* + enum gpu_tile_list: tiles in it */
-    GPU_HEAD_QUIET = 3,  /* quiet periods, as in sim/painting/painting_state.h: upkeep counts them, the dead band follows */
+    GPU_HEAD_COUNT = 0, /* + enum gpu_tile_list: tiles in it */
+    GPU_HEAD_QUIET =
+        3, /* quiet periods, as in sim/painting/painting_state.h: upkeep counts them, the dead band follows */
     GPU_HEAD_CARVED = 4, /* carved cells when last counted; words up to 20 are free */
     /* + (list * GPU_CHUNKS_MOST + chunk) * 3: arguments of an indirect dispatch */
     GPU_HEAD_DISPATCH = 20,

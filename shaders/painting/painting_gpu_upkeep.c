@@ -1,5 +1,5 @@
-/* What happens slowly: sim/painting/painting_upkeep.c on the GPU. Whether the painting has settled is found and remembered there
- * as well, and never read back. */
+/* What happens slowly: sim/painting/painting_upkeep.c on the GPU. Whether the painting has settled is found and
+ * remembered there as well, and never read back. */
 #include <stdlib.h>
 
 #include <GLES3/gl31.h>

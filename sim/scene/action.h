@@ -43,17 +43,17 @@ enum action_verb {
     ACTION_UNDO,          /* takes back what a visitor did last; engines leave these three to sim/painting/history.h */
     ACTION_REDO,          /* brings back what undo took */
     ACTION_REWIND,        /* the time brush: what is under the stroke goes back in time */
-    ACTION_STOCK,         /* engines leave this one and those below to sim/trees/garden.h: another picture to grow over */
-    ACTION_SHAPE,         /* how it grows: a value of growth_keys */
-    ACTION_PLANT,         /* a seed from which a structure grows over the picture */
-    ACTION_TEND,          /* what is under the stroke is more important, or less, and grows again */
-    ACTION_HOLD,          /* a hand lies there: growth goes round it until it is lifted */
-    ACTION_STRIKE,        /* this one and the next two are for sim/lightning/storm.h: a bolt begins */
-    ACTION_ATTRACT,       /* a charge that bolts grow towards, or away from */
-    ACTION_CONDUCT,       /* how they grow: a value of storm_keys */
-    ACTION_DOSE,          /* this one and those below are for sim/chemistry/dish.h: chemicals along a stroke, or taken away */
-    ACTION_REACT,         /* how they react: a value of dish_keys */
-    ACTION_STYLE,         /* a picture by whose brightness they react one way or another */
+    ACTION_STOCK,   /* engines leave this one and those below to sim/trees/garden.h: another picture to grow over */
+    ACTION_SHAPE,   /* how it grows: a value of growth_keys */
+    ACTION_PLANT,   /* a seed from which a structure grows over the picture */
+    ACTION_TEND,    /* what is under the stroke is more important, or less, and grows again */
+    ACTION_HOLD,    /* a hand lies there: growth goes round it until it is lifted */
+    ACTION_STRIKE,  /* this one and the next two are for sim/lightning/storm.h: a bolt begins */
+    ACTION_ATTRACT, /* a charge that bolts grow towards, or away from */
+    ACTION_CONDUCT, /* how they grow: a value of storm_keys */
+    ACTION_DOSE,    /* this one and those below are for sim/chemistry/dish.h: chemicals along a stroke, or taken away */
+    ACTION_REACT,   /* how they react: a value of dish_keys */
+    ACTION_STYLE,   /* a picture by whose brightness they react one way or another */
     ACTION_VERBS,
 };
 

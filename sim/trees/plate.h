@@ -24,8 +24,8 @@ bool plate_init(struct plate *plate, int width, int height);
 void plate_finish(struct plate *plate); /* takes zeroed */
 /* Covers nothing any more; size, tick and ground stay. */
 void plate_clear(struct plate *plate);
-/* Lays the ground and what has appeared on it by `tick` over width * height * 3 bytes of sRGB, as shaders/show/plate_gpu.h does,
- * within 1 of 255: each is mixed as it is encoded, below * (1 - alpha) + above. */
+/* Lays the ground and what has appeared on it by `tick` over width * height * 3 bytes of sRGB, as
+ * shaders/show/plate_gpu.h does, within 1 of 255: each is mixed as it is encoded, below * (1 - alpha) + above. */
 void plate_reveal(const struct plate *plate, int64_t tick, uint8_t *rgb);
 
 #endif
