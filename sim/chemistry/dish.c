@@ -400,10 +400,26 @@ static uint64_t hash(const void *scene)
 
 static const char *const PLANES[] = {"u", "v", NULL};
 
+static void initial_options(void *options)
+{
+    *(struct dish_def *)options = dish_default_def();
+}
+
+static void take_option(void *options, int key, float value)
+{
+    dish_take(options, key, value);
+}
+
+static const char *const BRINGS[] = {"preset", NULL};
+
 const struct scene_type dish_type = {
-    .name = "chemistry",
+    .about = "How chemicals react in a scene of chemistry, and what they look like.",
     .options = dish_keys,
+    .brings = BRINGS,
     .sets = ACTION_REACT,
+    .begins = ACTION_DOSE,
+    .initial = initial_options,
+    .take = take_option,
     .takes = takes,
     .create = create,
     .destroy = destroy,

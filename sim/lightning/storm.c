@@ -243,10 +243,26 @@ static int figures(const void *scene, struct scene_figure *all)
     return storm_figures(scene, all);
 }
 
+static void initial_options(void *options)
+{
+    *(struct storm_def *)options = storm_preset(BOLT_LIGHTNING);
+}
+
+static void take_option(void *options, int key, float value)
+{
+    storm_take(options, key, value);
+}
+
+static const char *const BRINGS[] = {"kind", NULL};
+
 const struct scene_type storm_type = {
-    .name = "lightning",
+    .about = "How it grows in a scene of lightning; defaults are those of the first kind.",
     .options = storm_keys,
+    .brings = BRINGS,
     .sets = ACTION_CONDUCT,
+    .begins = ACTION_STRIKE,
+    .initial = initial_options,
+    .take = take_option,
     .takes = takes,
     .create = create,
     .destroy = destroy,

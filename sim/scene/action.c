@@ -4,10 +4,8 @@
 
 #include "brush.h"
 #include "coefficients.h"
-#include "dish.h"
-#include "growth.h"
 #include "kernel.h"
-#include "storm.h"
+#include "scene.h"
 
 static const char *const EDGES[] = {"hard", "soft", "ragged", NULL};
 static const char *const OVERS[] = {"respect", "run", NULL};
@@ -170,7 +168,8 @@ static const struct key STOCK[] = {
     END,
 };
 static const struct key SHAPE[] = {
-    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of frond grow."},
+    {"growth", KEY_OPTION, "", SCENE_TREES, SCENE_TREES, 0, NULL, FIELD(option), true,
+     "What to set, as of frond grow."},
     NUMBER(value, "as that", 0, 2147483647.0, 0,
            "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
@@ -205,7 +204,8 @@ static const struct key ATTRACT[] = {
     END,
 };
 static const struct key CONDUCT[] = {
-    {"lightning", KEY_STORM, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of a scene of lightning."},
+    {"lightning", KEY_OPTION, "", SCENE_LIGHTNING, SCENE_LIGHTNING, 0, NULL, FIELD(option), true,
+     "What to set, as of a scene of lightning."},
     NUMBER(value, "as that", -2147483647.0, 2147483647.0, 0,
            "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
@@ -221,7 +221,8 @@ static const struct key DOSE[] = {
     END,
 };
 static const struct key REACT[] = {
-    {"chemistry", KEY_DISH, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of a scene of chemistry."},
+    {"chemistry", KEY_OPTION, "", SCENE_CHEMISTRY, SCENE_CHEMISTRY, 0, NULL, FIELD(option), true,
+     "What to set, as of a scene of chemistry."},
     NUMBER(value, "as that", -2147483647.0, 2147483647.0, 0,
            "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
@@ -272,13 +273,11 @@ const struct key *action_keys(enum action_verb verb)
     return VERBS[verb].keys;
 }
 
-const struct key *action_options(enum key_type type)
+const struct key *action_options(const struct key *key)
 {
-    return type == KEY_COEFFICIENT ? coefficient_keys
-           : type == KEY_GROWTH    ? growth_keys
-           : type == KEY_STORM     ? storm_keys
-           : type == KEY_DISH      ? dish_keys
-                                   : NULL;
+    return key->type == KEY_COEFFICIENT ? coefficient_keys
+           : key->type == KEY_OPTION    ? scene_types[(int)key->min]->options
+                                        : NULL;
 }
 
 const char *action_name(enum action_verb verb)
@@ -320,9 +319,8 @@ static float legal_position(float position)
 static int legal_option(const struct action *action)
 {
     for (const struct key *key = action_keys(action->verb); key->name; key++) {
-        const struct key *options = key->type == KEY_COEFFICIENT ? NULL : action_options(key->type);
-        if (options) {
-            return action->option >= 0 && action->option < key_count(options) ? action->option : 0;
+        if (key->type == KEY_OPTION) {
+            return action->option >= 0 && action->option < key_count(action_options(key)) ? action->option : 0;
         }
     }
     return 0;

@@ -8,7 +8,7 @@
  *     type->tick(scene, ticked);                      once they are done, once for each tick
  *     type->lay(scene, ticked, width, height, rgb);   over a picture of the painting
  *
- * A new kind of scene is a pair of files that defines a scene_type, and a line in scene.c. */
+ * A new kind of scene is a pair of files that defines a scene_type, and a line in SCENE_TYPES. */
 #ifndef FROND_SCENE_H
 #define FROND_SCENE_H
 
@@ -17,13 +17,16 @@
 
 #include "action.h"
 
-enum scene_kind {
-    SCENE_PAINTING,  /* the engine's (engine.h): it has no scene_type */
-    SCENE_TREES,     /* a garden over a painting that sleeps */
-    SCENE_LIGHTNING, /* a storm */
-    SCENE_CHEMISTRY, /* a dish */
-    SCENE_KINDS,
-};
+/* Every kind but the painting, which is the engine's (engine.h): enum scene_kind, its name in files, its struct
+ * scene_type. */
+#define SCENE_TYPES(KIND)                                                                                              \
+    KIND(SCENE_TREES, "trees", trees_type)         /* a garden over a painting that sleeps */                          \
+    KIND(SCENE_LIGHTNING, "lightning", storm_type) /* a storm */                                                       \
+    KIND(SCENE_CHEMISTRY, "chemistry", dish_type)  /* a dish */
+
+#define SCENE_ENUMERATOR(kind, name, type) kind,
+enum scene_kind { SCENE_PAINTING, SCENE_TYPES(SCENE_ENUMERATOR) SCENE_KINDS };
+#undef SCENE_ENUMERATOR
 extern const char *const scene_kind_names[SCENE_KINDS + 1]; /* "painting", ...; ends with NULL */
 
 /* What a scene gives to another, as rasters over the sheet. */
@@ -45,9 +48,14 @@ struct scene_figure {
 enum { SCENE_FIGURES = 32 };
 
 struct scene_type {
-    const char *name;                     /* as of scene_kind_names */
-    const struct key *options;            /* what can be set, over struct garden_def's growth, storm_def, dish_def */
-    enum action_verb sets;                /* the verb that sets one: ACTION_SHAPE, ACTION_CONDUCT, ACTION_REACT */
+    const char *about;              /* a sentence about its options, for a curator */
+    const struct key *options;      /* what can be set, over a struct of its own of SCENE_OPTIONS_BYTES at most */
+    const char *const *brings;      /* names of options that bring the values of others; ends with NULL */
+    enum action_verb sets;          /* the verb that sets one */
+    enum action_verb begins;        /* the verb by which something begins to grow at a place, whatever the tool */
+    void (*initial)(void *options); /* fills that struct as at first */
+    /* Sets a value of the table: brought into its range, with what it brings. */
+    void (*take)(void *options, int key, float value);
     bool (*takes)(enum action_verb verb); /* verbs that are for this kind alone: a session with one has such a scene */
     void *(*create)(int width, int height); /* cells of the sheet. Nothing is on it. NULL when memory is short */
     void (*destroy)(void *scene);           /* takes NULL */
@@ -69,6 +77,7 @@ struct scene_type {
     /* Figures of it, at most SCENE_FIGURES; how many. The scene stays as it is. */
     int (*figures)(const void *scene, struct scene_figure *figures);
 };
+enum { SCENE_OPTIONS_BYTES = 1024 };
 /* By kind; NULL for SCENE_PAINTING. */
 extern const struct scene_type *const scene_types[SCENE_KINDS];
 /* The kind that a verb is for alone, or SCENE_PAINTING. */
