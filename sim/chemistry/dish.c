@@ -412,7 +412,14 @@ static void take_option(void *options, int key, float value)
 
 static const char *const BRINGS[] = {"preset", NULL};
 
+static bool is_calm(const void *scene, int64_t now)
+{
+    (void)now;
+    return dish_is_calm(scene);
+}
+
 const struct scene_type dish_type = {
+    .shows = SHOW_PATTERN,
     .about = "How chemicals react in a scene of chemistry, and what they look like.",
     .options = dish_keys,
     .brings = BRINGS,
@@ -431,6 +438,7 @@ const struct scene_type dish_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .is_calm = is_calm,
     .planes = PLANES,
     .plane = plane,
     .figures = figures,

@@ -255,7 +255,13 @@ static void take_option(void *options, int key, float value)
 
 static const char *const BRINGS[] = {"kind", NULL};
 
+static bool is_calm(const void *scene, int64_t now)
+{
+    return storm_is_calm(scene, now);
+}
+
 const struct scene_type storm_type = {
+    .shows = SHOW_BOLTS,
     .about = "How it grows in a scene of lightning; defaults are those of the first kind.",
     .options = storm_keys,
     .brings = BRINGS,
@@ -274,5 +280,6 @@ const struct scene_type storm_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .is_calm = is_calm,
     .figures = figures,
 };

@@ -47,7 +47,16 @@ struct scene_figure {
 };
 enum { SCENE_FIGURES = 32 };
 
+/* How a display shows it (app/scene/live_drawer.h). */
+enum scene_show {
+    SHOW_PICTURE, /* by what `lay` gives, whatever it is */
+    SHOW_PLATE,   /* a garden's (plate.h) */
+    SHOW_BOLTS,   /* a storm's (bolt_light.h) */
+    SHOW_PATTERN, /* a dish's (gray_scott_shade.h) */
+};
+
 struct scene_type {
+    enum scene_show shows;
     const char *about;              /* a sentence about its options, for a curator */
     const struct key *options;      /* what can be set, over a struct of its own of SCENE_OPTIONS_BYTES at most */
     const char *const *brings;      /* names of options that bring the values of others; ends with NULL */
@@ -70,7 +79,9 @@ struct scene_type {
     /* Fills channels * width * height values, channel by channel, rounded to 1/65536. False when memory is short. */
     bool (*field)(void *scene, enum scene_field field, int width, int height, float *values);
     uint64_t (*hash)(const void *scene); /* of all that decides what it looks like, for tests */
-    /* Those below may be NULL. Planes of its own model, for files: "u", "v"; ends with NULL; and filling width * height
+    /* Those below may be NULL. Whether it looks the same from this tick on until something is done; NULL: never. */
+    bool (*is_calm)(const void *scene, int64_t tick);
+    /* Planes of its own model, for files: "u", "v"; ends with NULL; and filling width * height
      * values with one. False when memory is short. */
     const char *const *planes;
     bool (*plane)(void *scene, int plane, int width, int height, float *values);

@@ -169,6 +169,7 @@ static void take_option(void *options, int key, float value)
 static const char *const BRINGS[] = {"metaphor", "tree", NULL};
 
 const struct scene_type trees_type = {
+    .shows = SHOW_PLATE,
     .about = "How they grow in a scene of trees; defaults are those of ink.",
     .options = growth_keys,
     .brings = BRINGS,
