@@ -52,7 +52,9 @@ make_root() { # make_root ROOT SUITE SECONDS [OPTIONS OF MMDEBSTRAP]...
 furnish() { # furnish ROOT
     local device
     mount -t proc proc "$1/proc"
-    mount -t sysfs sysfs "$1/sys"
+    mount --bind "$1/proc/sys" "$1/proc/sys" # packages set what the kernel of this machine does, as they are installed
+    mount -o remount,bind,ro "$1/proc/sys"
+    mount -t sysfs -o ro sysfs "$1/sys"
     mount -t tmpfs -o mode=755 tmpfs "$1/dev"
     mount -t tmpfs -o mode=755 tmpfs "$1/run"
     mount -t tmpfs -o mode=1777 tmpfs "$1/tmp"
