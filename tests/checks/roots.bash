@@ -101,13 +101,18 @@ in_root() { # in_root ROOT SECONDS [--copy FOLDER] [--bind FOLDER:PLACE[:MODE]].
             overlay "$root" "$2"
             root=$2/root
             shift 2
+        else
+            mount --bind "$root" "$root"
         fi
         furnish "$root"
         while [[ $1 == --bind ]]; do
             bind_folder "$root" "$2"
             shift 2
         done
-        exec chroot "$root" /usr/bin/env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+        # A mount in the place of / is no chroot to the kernel, which forbids name spaces of users in those.
+        cd "$root"
+        mount --move . /
+        exec chroot . /usr/bin/env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
             "${@:1:$# - 1}" bash -euc "${@: -1}"
     ' - "$@"
 }
