@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 #include "bench.h"
+#include "gpu_limits.h"
 #include "image.h"
-#include "limits.h"
 #include "live_loop.h"
 #include "log.h"
 #include "script_sheet.h"

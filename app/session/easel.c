@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "display.h"
+#include "gpu_limits.h"
 #include "image.h"
-#include "limits.h"
 #include "painting_gpu.h"
 #include "plan.h"
 

@@ -37,7 +37,7 @@ for word in $(sed -n 's/^✗ \([A-Za-z]*\)=.*/\1/p' "$work/security" | sort -u);
     *) grep -q "$word=" "$work/reasons" ;;
     esac || fail "$word= is left out without a reason"
 done
-# What the kiosk is promised (README, platform/source_touch.h).
+# What the kiosk is promised (README, platform/touch/source_touch.h).
 for line in Type=notify WatchdogSec=10 Restart=always RestartSec=1 StartLimitIntervalSec=300 StartLimitBurst=5 \
     StartLimitAction=reboot LimitCORE=0 TTYReset=yes Conflicts=getty@tty1.service ProtectSystem=strict; do
     grep -qx "$line" "$unit" || fail "no $line"

@@ -1,4 +1,4 @@
-/* Writes sim/dish_map_table.c: see tests/tables/CMakeLists.txt. */
+/* Writes sim/chemistry/dish_map_table.c: see tests/tables/CMakeLists.txt. */
 #include <stdio.h>
 #include <stdlib.h>
 
