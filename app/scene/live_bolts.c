@@ -39,7 +39,8 @@ static bool set(struct live_layer *layer, bool fresh, struct display *display, s
     int has = bolt_light_gpu_count(bolts->now), first = made || !layer->shown ? 0 : fresh ? layer->newest->since : has;
     first = first < has ? first : has;
     first = first < view->count ? first : view->count;
-    layer->shown = bolt_light_gpu_set(bolts->now, view->segments + first, first, view->count - first);
+    const struct bolt_segment *from = view->count > first ? view->segments + first : NULL; /* a sky may have none */
+    layer->shown = bolt_light_gpu_set(bolts->now, from, first, view->count - first);
     bolt_light_gpu_cut(bolts->now, view->count);
     return true;
 }
