@@ -241,26 +241,7 @@ struct rectangle ground_act(struct ground *ground, const struct action *action)
         return ground_set(ground, action);
     case ACTION_CLEAR:
         return clear(ground);
-    case ACTION_BRUSH_SOLVENT:
-    case ACTION_BRUSH_INK:
-    case ACTION_DRY:
-    case ACTION_WET:
-    case ACTION_UNDO:
-    case ACTION_REDO:
-    case ACTION_REWIND:
-    case ACTION_STOCK:
-    case ACTION_SHAPE:
-    case ACTION_PLANT:
-    case ACTION_TEND:
-    case ACTION_HOLD:
-    case ACTION_STRIKE:
-    case ACTION_ATTRACT:
-    case ACTION_CONDUCT:
-    case ACTION_DOSE:
-    case ACTION_REACT:
-    case ACTION_STYLE:
-    case ACTION_VERBS:
-        break;
+    default: /* the ground stays as it is: liquid, undo, and what is for scenes beside the painting */
+        return nothing;
     }
-    return nothing;
 }
