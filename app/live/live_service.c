@@ -78,7 +78,10 @@ static void feed(struct live_service *service, const struct live_kiosk *kiosk, u
 {
     char text[120];
     struct display *display = kiosk->status.display;
+    struct studio_report report = studio_report(kiosk->status.studio);
     struct service_turn turn = {.frames = display_frames(display).presented,
+                                .turns = report.turns,
+                                .rests = report.rests,
                                 .shown = display_state(display) == DISPLAY_SHOWN};
     if (kiosk->kiosk) {
         snprintf(text, sizeof text, "%s; screen %s; visit %u%s", kiosk_state(kiosk->kiosk),
