@@ -1,6 +1,5 @@
 /* One scene feeds the next in a whole kiosk: a finger strikes lightning on the glass, a button asks for the next scene,
  * and what was struck is drawn in ink on the painting that the display shows then. */
-#define _XOPEN_SOURCE 700 /* mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
