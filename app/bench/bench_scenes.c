@@ -101,7 +101,7 @@ static void react(struct dish *dish, const char *key, float value)
     dish_act(dish, 0, &action);
 }
 
-/* A tick of the usual preset, once it has spread: 8 steps, a cell of the dish to each of the sheet. */
+/* A tick of the usual preset, begun everywhere: 8 steps, a cell of the dish to each of the sheet. */
 static bool bench_dish(struct bench *bench)
 {
     struct dish *dish = dish_create(DISH_X, DISH_Y);
@@ -110,6 +110,8 @@ static bool bench_dish(struct bench *bench)
     if (good) {
         react(dish, "scale", 1);
         react(dish, "steps", 8);
+        react(dish, "start", DISH_START_NOISE);
+        react(dish, "preset", (float)dish_default_def().preset);
     }
     for (int tick = 0; tick < DISH_TICKS && good; tick++) {
         double start = bench_thread_s();
