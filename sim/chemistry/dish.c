@@ -333,11 +333,6 @@ static uint64_t dish_hash(const struct dish *dish)
     return mix(hash, &dish->owed, sizeof dish->owed);
 }
 
-static bool takes(enum action_verb verb)
-{
-    return verb == ACTION_DOSE || verb == ACTION_REACT || verb == ACTION_STYLE;
-}
-
 static void *create(int width, int height)
 {
     return dish_create(width, height);
@@ -400,7 +395,6 @@ const struct scene_type dish_type = {
     .name = "chemistry",
     .options = dish_keys,
     .sets = ACTION_REACT,
-    .takes = takes,
     .create = create,
     .destroy = destroy,
     .resize = resize,

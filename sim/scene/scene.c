@@ -3,6 +3,7 @@
 #include "dish.h"
 #include "scene_trees.h"
 #include "storm.h"
+#include "verb.h"
 
 const char *const scene_kind_names[SCENE_KINDS + 1] = {"painting", "trees", "lightning", "chemistry", NULL};
 const char *const scene_field_names[SCENE_FIELDS + 1] = {"dark", "along", "around", NULL};
@@ -15,17 +16,12 @@ const struct scene_type *const scene_types[SCENE_KINDS] = {
 
 enum scene_kind scene_kind_of(enum action_verb verb)
 {
-    int kind = SCENE_KINDS - 1;
-    while (kind > SCENE_PAINTING && !scene_types[kind]->takes(verb)) {
-        kind--;
-    }
-    return (enum scene_kind)kind;
+    return verbs[verb]->scene;
 }
 
 bool scene_takes(enum scene_kind kind, enum action_verb verb)
 {
-    bool all = verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_CLEAR || verb == ACTION_RINSE;
-    return all || scene_kind_of(verb) == kind;
+    return verbs[verb]->shared || verbs[verb]->scene == kind;
 }
 
 int scene_field_channels(enum scene_field field)

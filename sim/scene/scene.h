@@ -45,10 +45,9 @@ struct scene_figure {
 enum { SCENE_FIGURES = 32 };
 
 struct scene_type {
-    const char *name;                     /* as of scene_kind_names */
-    const struct key *options;            /* what can be set, over struct garden_def's growth, storm_def, dish_def */
-    enum action_verb sets;                /* the verb that sets one: ACTION_SHAPE, ACTION_CONDUCT, ACTION_REACT */
-    bool (*takes)(enum action_verb verb); /* verbs that are for this kind alone: a session with one has such a scene */
+    const char *name;                       /* as of scene_kind_names */
+    const struct key *options;              /* what can be set, over struct garden_def's growth, storm_def, dish_def */
+    enum action_verb sets;                  /* the verb that sets one: ACTION_SHAPE, ACTION_CONDUCT, ACTION_REACT */
     void *(*create)(int width, int height); /* cells of the sheet. Nothing is on it. NULL when memory is short */
     void (*destroy)(void *scene);           /* takes NULL */
     void (*resize)(void *scene, int width, int height); /* the sheet has another grid; what has grown stays */
@@ -71,7 +70,7 @@ struct scene_type {
 };
 /* By kind; NULL for SCENE_PAINTING. */
 extern const struct scene_type *const scene_types[SCENE_KINDS];
-/* The kind that a verb is for alone, or SCENE_PAINTING. */
+/* The kind that a verb is for alone (a session with one has such a scene), or SCENE_PAINTING. */
 enum scene_kind scene_kind_of(enum action_verb verb);
 /* Whether an action is for scenes of a kind: what is for that kind alone, and what washes, clears and takes back. */
 bool scene_takes(enum scene_kind kind, enum action_verb verb);

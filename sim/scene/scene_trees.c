@@ -160,7 +160,6 @@ const struct scene_type trees_type = {
     .name = "trees",
     .options = growth_keys,
     .sets = ACTION_SHAPE,
-    .takes = garden_takes,
     .create = create,
     .destroy = destroy,
     .resize = resize,
