@@ -7,59 +7,43 @@
 #include "dish.h"
 #include "growth.h"
 #include "kernel.h"
+#include "key_rows.h"
 #include "storm.h"
 
 static const char *const EDGES[] = {"hard", "soft", "ragged", NULL};
 static const char *const OVERS[] = {"respect", "run", NULL};
 static const char *const READINGS[] = {"towards dark", "along edges", "vectors", NULL};
 
-#define FIELD(field) offsetof(struct action, field)
-#define NUMBER(field, unit, min, max, def, text)                                                                       \
-    {                                                                                                                  \
-#field, KEY_NUMBER, unit, min, max, def, NULL, FIELD(field), false, text                                       \
-    }
-#define VALUE(field, text)                                                                                             \
-    {                                                                                                                  \
-#field, KEY_NUMBER, "as the coefficient", -100, 1000, 0, NULL, FIELD(field), false, text                       \
-    }
-#define CHOICE(field, list, def, text)                                                                                 \
-    {                                                                                                                  \
-#field, KEY_CHOICE, "", 0, 0, def, list, FIELD(field), false, text                                             \
-    }
+#define KEY_AT(field)      offsetof(struct action, field)
+#define VALUE(field, text) NUMBER(field, "as the coefficient", -100, 1000, 0, text)
 #define AT(need, text)                                                                                                 \
     {                                                                                                                  \
-        "at", KEY_POINT, "0..1 of the sheet", 0, 1, 0, NULL, FIELD(at), need, text                                     \
+        "at", KEY_POINT, "0..1 of the sheet", 0, 1, 0, NULL, KEY_AT(at), need, text                                    \
     }
 #define PATH(need)                                                                                                     \
     {                                                                                                                  \
-        "path", KEY_PATH, "0..1 of the sheet", 0, 1, 0, NULL, FIELD(path), need, "The stroke, point by point."         \
+        "path", KEY_PATH, "0..1 of the sheet", 0, 1, 0, NULL, KEY_AT(path), need, "The stroke, point by point."        \
     }
 #define FORMULA(text)                                                                                                  \
     {                                                                                                                  \
-        "formula", KEY_RASTER, "", 0, 0, 0, NULL, FIELD(formula), false, text                                          \
+        "formula", KEY_RASTER, "", 0, 0, 0, NULL, KEY_AT(formula), false, text                                         \
     }
 #define PICTURE(text)                                                                                                  \
     {                                                                                                                  \
-        "picture", KEY_PICTURE, "", 0, 0, 0, NULL, FIELD(picture), false, text                                         \
+        "picture", KEY_PICTURE, "", 0, 0, 0, NULL, KEY_AT(picture), false, text                                        \
     }
 #define INK                                                                                                            \
     {                                                                                                                  \
-        "ink", KEY_INK, "", 0, 0, 0, NULL, FIELD(ink), false, "One of the inks of the session; the first if left out." \
+        "ink", KEY_INK, "", 0, 0, 0, NULL, KEY_AT(ink), false,                                                         \
+            "One of the inks of the session; the first if left out."                                                   \
     }
 #define BRUSH                                                                                                          \
     {                                                                                                                  \
-        "brush", KEY_BRUSH, "", 0, 0, -1, NULL, FIELD(brush), false,                                                   \
+        "brush", KEY_BRUSH, "", 0, 0, -1, NULL, KEY_AT(brush), false,                                                  \
             "A named way of growing, stamped around the drop."                                                         \
     }
-#define INVERT                                                                                                         \
-    {                                                                                                                  \
-        "invert", KEY_FLAG, "", 0, 1, 0, NULL, FIELD(invert), false, "Swap inside and outside."                        \
-    }
+#define INVERT            FLAG(invert, "Swap inside and outside.")
 #define RADIUS(def, text) NUMBER(radius, "cells", 0.5, 512, def, text)
-#define END                                                                                                            \
-    {                                                                                                                  \
-        .name = NULL                                                                                                   \
-    }
 
 static const struct key DROP[] = {
     AT(true, "Where the drop falls."),
@@ -134,9 +118,9 @@ static const struct key WET[] = {
 };
 static const struct key RINSE[] = {
     AT(false, "Middle of a disc of water; not with a path."),
-    {"path", KEY_PATH, "0..1 of the sheet", -2, 3, 0, NULL, FIELD(path), false,
+    {"path", KEY_PATH, "0..1 of the sheet", -2, 3, 0, NULL, KEY_AT(path), false,
      "The front of the water, from one side of the sheet to the other; it may lie beyond the sheet."},
-    {"flow", KEY_POINT, "", -1, 1, 0, NULL, FIELD(flow), false,
+    {"flow", KEY_POINT, "", -1, 1, 0, NULL, KEY_AT(flow), false,
      "Where the water runs: [1, 0] is to the right; down if left out."},
     RADIUS(30, "Radius of the disc."),
     NUMBER(reach, "share of the sheet", 0.02, 1, 0.35,
@@ -146,7 +130,7 @@ static const struct key RINSE[] = {
     END,
 };
 static const struct key SET[] = {
-    {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, FIELD(coefficient), true, "The coefficient to set."},
+    {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, KEY_AT(coefficient), true, "The coefficient to set."},
     VALUE(value, "Its value; must lie in the coefficient's own range."),
     VALUE(to, "With a picture or a formula: the value where that is 1; `value` is where it is 0."),
     FORMULA("An expression in x and y, 0 to 1."),
@@ -170,7 +154,7 @@ static const struct key STOCK[] = {
     END,
 };
 static const struct key SHAPE[] = {
-    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of frond grow."},
+    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, KEY_AT(option), true, "What to set, as of frond grow."},
     NUMBER(value, "as that", 0, 2147483647.0, 0,
            "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
@@ -205,7 +189,7 @@ static const struct key ATTRACT[] = {
     END,
 };
 static const struct key CONDUCT[] = {
-    {"lightning", KEY_STORM, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of a scene of lightning."},
+    {"lightning", KEY_STORM, "", 0, 0, 0, NULL, KEY_AT(option), true, "What to set, as of a scene of lightning."},
     NUMBER(value, "as that", -2147483647.0, 2147483647.0, 0,
            "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
@@ -217,11 +201,11 @@ static const struct key DOSE[] = {
     PICTURE("Where the picture is dark."),
     RADIUS(6, "Radius of the disc, or half the width of the stroke."),
     NUMBER(strength, "share", 0, 1, 1, "How much of the way to the dosed state."),
-    {"erase", KEY_FLAG, "", 0, 1, 0, NULL, FIELD(invert), false, "Takes the chemicals away instead."},
+    {"erase", KEY_FLAG, "", 0, 1, 0, NULL, KEY_AT(invert), false, "Takes the chemicals away instead."},
     END,
 };
 static const struct key REACT[] = {
-    {"chemistry", KEY_DISH, "", 0, 0, 0, NULL, FIELD(option), true, "What to set, as of a scene of chemistry."},
+    {"chemistry", KEY_DISH, "", 0, 0, 0, NULL, KEY_AT(option), true, "What to set, as of a scene of chemistry."},
     NUMBER(value, "as that", -2147483647.0, 2147483647.0, 0,
            "Its value; of a choice its name or its number from 0, of a flag 0 or 1."),
     END,
@@ -331,16 +315,7 @@ static int legal_option(const struct action *action)
 struct action action_legal(const struct action *action)
 {
     struct action legal = *action;
-    for (const struct key *key = action_keys(action->verb); key->name; key++) {
-        char *at = (char *)&legal + key->offset;
-        if (key->type == KEY_NUMBER) {
-            float value;
-            memcpy(&value, at, sizeof value);
-            value = value >= (float)key->min ? value : (float)key->min; /* NaN becomes the least */
-            value = value <= (float)key->max ? value : (float)key->max;
-            memcpy(at, &value, sizeof value);
-        }
-    }
+    keys_make_legal(action_keys(action->verb), &legal);
     legal.at.x = legal_position(legal.at.x);
     legal.at.y = legal_position(legal.at.y);
     legal.flow.x = legal_flow(legal.flow.x);
