@@ -7,36 +7,16 @@
 #include <string.h>
 
 #include "fit.h"
+#include "key_rows.h"
 #include "stroke_raster.h"
 
-#define OF(field) .offset = offsetof(struct structure_def, field)
+#define KEY_AT(field) offsetof(struct structure_def, field)
 
 const struct key structure_keys[] = {
-    {.name = "detail",
-     .type = KEY_INTEGER,
-     .unit = "nodes",
-     .min = 64,
-     .max = 2048,
-     .initial = 512,
-     OF(detail),
-     .meaning = "Nodes of the lattice along the picture's longer side."},
-    {.name = "width",
-     .type = KEY_NUMBER,
-     .unit = "cells",
-     .min = 0,
-     .max = 64,
-     .initial = 1,
-     OF(width),
-     .meaning = "How much wider every branch is than it grew."},
-    {.name = "fade",
-     .type = KEY_NUMBER,
-     .unit = "cells",
-     .min = 0,
-     .max = 64,
-     .initial = 6,
-     OF(fade),
-     .meaning = "Of a guide: how far around a branch its direction fades to nothing."},
-    {.name = NULL},
+    WHOLE(detail, "nodes", 64, 2048, 512, "Nodes of the lattice along the picture's longer side."),
+    NUMBER(width, "cells", 0, 64, 1, "How much wider every branch is than it grew."),
+    NUMBER(fade, "cells", 0, 64, 6, "Of a guide: how far around a branch its direction fades to nothing."),
+    END,
 };
 
 /* Where the picture lies on the sheet, cells. */

@@ -9,7 +9,7 @@ static const struct key DOSE[] = {
     PICTURE("Where the picture is dark."),
     RADIUS(6, "Radius of the disc, or half the width of the stroke."),
     NUMBER(strength, "share", 0, 1, 1, "How much of the way to the dosed state."),
-    {"erase", KEY_FLAG, "", 0, 1, 0, NULL, FIELD(invert), false, "Takes the chemicals away instead."},
+    {"erase", KEY_FLAG, "", 0, 1, 0, NULL, KEY_AT(invert), false, "Takes the chemicals away instead."},
     END,
 };
 static const struct key REACT[] = {

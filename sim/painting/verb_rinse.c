@@ -4,9 +4,9 @@
 
 static const struct key RINSE[] = {
     AT(false, "Middle of a disc of water; not with a path."),
-    {"path", KEY_PATH, "0..1 of the sheet", -2, 3, 0, NULL, FIELD(path), false,
+    {"path", KEY_PATH, "0..1 of the sheet", -2, 3, 0, NULL, KEY_AT(path), false,
      "The front of the water, from one side of the sheet to the other; it may lie beyond the sheet."},
-    {"flow", KEY_POINT, "", -1, 1, 0, NULL, FIELD(flow), false,
+    {"flow", KEY_POINT, "", -1, 1, 0, NULL, KEY_AT(flow), false,
      "Where the water runs: [1, 0] is to the right; down if left out."},
     RADIUS(30, "Radius of the disc."),
     NUMBER(reach, "share of the sheet", 0.02, 1, 0.35,

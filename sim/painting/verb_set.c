@@ -6,7 +6,7 @@
 #include "verb_keys.h"
 
 static const struct key SET[] = {
-    {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, FIELD(coefficient), true, "The coefficient to set."},
+    {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, KEY_AT(coefficient), true, "The coefficient to set."},
     VALUE(value, "Its value; must lie in the coefficient's own range."),
     VALUE(to, "With a picture or a formula: the value where that is 1; `value` is where it is 0."),
     FORMULA("An expression in x and y, 0 to 1."),
