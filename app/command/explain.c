@@ -37,9 +37,7 @@ static const char *type_name(const struct key *key)
         [KEY_BRUSH] = "brush",
         [KEY_RASTER] = "expression",
         [KEY_PICTURE] = "path",
-        [KEY_GROWTH] = "option",
-        [KEY_STORM] = "option",
-        [KEY_DISH] = "option",
+        [KEY_OPTION] = "option",
         [KEY_TEXT] = "text",
         [KEY_COEFFICIENT] = "coefficient",
         [KEY_ZONE] = "zone",
@@ -193,13 +191,6 @@ static void explain_tables(struct explaining *explaining, const struct inputs_ta
     explaining->asked = asked;
 }
 
-/* Of the sections of scenes that are no paintings. */
-static const char *const ABOUT_OPTIONS[SCENE_KINDS] = {
-    [SCENE_TREES] = "How they grow in a scene of trees; defaults are those of ink.",
-    [SCENE_LIGHTNING] = "How it grows in a scene of lightning; defaults are those of the first kind.",
-    [SCENE_CHEMISTRY] = "How chemicals react in a scene of chemistry, and what they look like.",
-};
-
 bool explain(const char *asked, FILE *out)
 {
     struct key options[EXHIBIT_OPTIONS_KEYS];
@@ -221,7 +212,7 @@ bool explain(const char *asked, FILE *out)
     explain_tables(&explaining, exhibit_tables);
     for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
         exhibit_options_keys((enum scene_kind)kind, options);
-        explain_keys(&explaining, scene_kind_names[kind], ABOUT_OPTIONS[kind], options);
+        explain_keys(&explaining, scene_kind_names[kind], scene_types[kind]->about, options);
     }
     explain_tables(&explaining, inputs_tables);
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);

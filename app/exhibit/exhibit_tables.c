@@ -1,7 +1,7 @@
 #include <string.h>
 
 #include "exhibit_read.h"
-#include "key_rows.h"
+#include "file_rows.h"
 #include "script_read.h"
 #include "transition.h"
 
@@ -11,15 +11,10 @@ static const char *const ENGINES[] = {"auto", "cpu", "gpu", NULL};
 static const char *const TURNS[] = {"0", "90", "180", "270", NULL};
 static const char *const SIDES[] = {"left", "right", "bottom", "none", NULL};
 
-const char *const exhibit_tool_names[] = {"drop", "brush",  "guide", "pour",   "mask", "rewind", "plant", "tend",
-                                          "thin", "strike", "repel", "stroke", "dose", "erase",  "map",   NULL};
-const enum scene_kind exhibit_tool_kinds[TOOLS] = {
-    [TOOL_DROP] = SCENE_PAINTING,    [TOOL_BRUSH] = SCENE_PAINTING,  [TOOL_GUIDE] = SCENE_PAINTING,
-    [TOOL_POUR] = SCENE_PAINTING,    [TOOL_MASK] = SCENE_PAINTING,   [TOOL_REWIND] = SCENE_PAINTING,
-    [TOOL_PLANT] = SCENE_TREES,      [TOOL_TEND] = SCENE_TREES,      [TOOL_THIN] = SCENE_TREES,
-    [TOOL_STRIKE] = SCENE_LIGHTNING, [TOOL_REPEL] = SCENE_LIGHTNING, [TOOL_STROKE] = SCENE_LIGHTNING,
-    [TOOL_DOSE] = SCENE_CHEMISTRY,   [TOOL_ERASE] = SCENE_CHEMISTRY, [TOOL_MAP] = SCENE_CHEMISTRY,
-};
+#define TOOL_NAME(tool, name, kind) name,
+#define TOOL_KIND(tool, name, kind) kind,
+const char *const exhibit_tool_names[] = {EXHIBIT_TOOLS(TOOL_NAME) NULL};
+const enum scene_kind exhibit_tool_kinds[TOOLS] = {EXHIBIT_TOOLS(TOOL_KIND)};
 const char *const corner_names[] = {"top left", "top right", "bottom right", "bottom left", NULL};
 const char *const day_names[] = {"mon", "tue", "wed", "thu", "fri", "sat", "sun", NULL};
 

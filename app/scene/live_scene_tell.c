@@ -41,6 +41,7 @@ static void begin_scene(struct live_scene *live, enum scene_kind kind, const cha
 {
     enum scene_kind before = live->sheet.kind;
     live->sheet.kind = kind;
+    live->sheet.shows = live->types[kind] ? live->types[kind]->shows : SHOW_PICTURE;
     snprintf(live->id, sizeof live->id, "%s", id);
     live->cells = width;
     live->sheet.number += before != SCENE_PAINTING || kind != SCENE_PAINTING;

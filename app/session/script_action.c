@@ -355,7 +355,7 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     }
     struct parameters parameters = {.bound = bound};
     for (const struct key *key = keys; key->name; key++) {
-        const struct key *options = action_options(key->type);
+        const struct key *options = action_options(key);
         const struct yaml_node *setting = options ? yaml_get(node, key->name) : NULL;
         if (setting && setting->kind == YAML_SCALAR) {
             parameters.setting = key_find(options, setting->text);

@@ -86,9 +86,7 @@ void key_defaults(const struct key *keys, void *object)
         case KEY_CHOICE:
         case KEY_INK:
         case KEY_BRUSH:
-        case KEY_GROWTH:
-        case KEY_STORM:
-        case KEY_DISH:
+        case KEY_OPTION:
         case KEY_COEFFICIENT:
         case KEY_TIME: {
             int value = (int)keys->initial;

@@ -391,10 +391,33 @@ static uint64_t hash(const void *scene)
 
 static const char *const PLANES[] = {"u", "v", NULL};
 
+static void initial_options(void *options)
+{
+    *(struct dish_def *)options = dish_default_def();
+}
+
+static void take_option(void *options, int key, float value)
+{
+    dish_take(options, key, value);
+}
+
+static const char *const BRINGS[] = {"preset", NULL};
+
+static bool is_calm(const void *scene, int64_t now)
+{
+    (void)now;
+    return dish_is_calm(scene);
+}
+
 const struct scene_type dish_type = {
-    .name = "chemistry",
+    .shows = SHOW_PATTERN,
+    .about = "How chemicals react in a scene of chemistry, and what they look like.",
     .options = dish_keys,
+    .brings = BRINGS,
     .sets = ACTION_REACT,
+    .begins = ACTION_DOSE,
+    .initial = initial_options,
+    .take = take_option,
     .create = create,
     .destroy = destroy,
     .resize = resize,
@@ -405,6 +428,7 @@ const struct scene_type dish_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .is_calm = is_calm,
     .planes = PLANES,
     .plane = plane,
     .figures = figures,

@@ -13,7 +13,7 @@ static const struct key DOSE[] = {
     END,
 };
 static const struct key REACT[] = {
-    OPTION("chemistry", KEY_DISH, "What to set, as of a scene of chemistry."),
+    OPTION("chemistry", SCENE_CHEMISTRY, "What to set, as of a scene of chemistry."),
     OPTION_VALUE(-2147483647.0, 2147483647.0),
     END,
 };

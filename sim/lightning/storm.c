@@ -238,10 +238,32 @@ static int figures(const void *scene, struct scene_figure *all)
     return storm_figures(scene, all);
 }
 
+static void initial_options(void *options)
+{
+    *(struct storm_def *)options = storm_preset(BOLT_LIGHTNING);
+}
+
+static void take_option(void *options, int key, float value)
+{
+    storm_take(options, key, value);
+}
+
+static const char *const BRINGS[] = {"kind", NULL};
+
+static bool is_calm(const void *scene, int64_t now)
+{
+    return storm_is_calm(scene, now);
+}
+
 const struct scene_type storm_type = {
-    .name = "lightning",
+    .shows = SHOW_BOLTS,
+    .about = "How it grows in a scene of lightning; defaults are those of the first kind.",
     .options = storm_keys,
+    .brings = BRINGS,
     .sets = ACTION_CONDUCT,
+    .begins = ACTION_STRIKE,
+    .initial = initial_options,
+    .take = take_option,
     .create = create,
     .destroy = destroy,
     .resize = resize,
@@ -252,5 +274,6 @@ const struct scene_type storm_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .is_calm = is_calm,
     .figures = figures,
 };

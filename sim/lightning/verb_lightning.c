@@ -17,7 +17,7 @@ static const struct key ATTRACT[] = {
     END,
 };
 static const struct key CONDUCT[] = {
-    OPTION("lightning", KEY_STORM, "What to set, as of a scene of lightning."),
+    OPTION("lightning", SCENE_LIGHTNING, "What to set, as of a scene of lightning."),
     OPTION_VALUE(-2147483647.0, 2147483647.0),
     END,
 };

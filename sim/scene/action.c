@@ -4,10 +4,8 @@
 
 #include "brush.h"
 #include "coefficients.h"
-#include "dish.h"
-#include "growth.h"
 #include "kernel.h"
-#include "storm.h"
+#include "scene.h"
 #include "verb.h"
 
 #define VERB(NAME, name) [ACTION_##NAME] = &verb_##name,
@@ -19,13 +17,11 @@ const struct key *action_keys(enum action_verb verb)
     return verbs[verb]->keys;
 }
 
-const struct key *action_options(enum key_type type)
+const struct key *action_options(const struct key *key)
 {
-    return type == KEY_COEFFICIENT ? coefficient_keys
-           : type == KEY_GROWTH    ? growth_keys
-           : type == KEY_STORM     ? storm_keys
-           : type == KEY_DISH      ? dish_keys
-                                   : NULL;
+    return key->type == KEY_COEFFICIENT ? coefficient_keys
+           : key->type == KEY_OPTION    ? scene_types[(int)key->min]->options
+                                        : NULL;
 }
 
 const char *action_name(enum action_verb verb)
@@ -72,9 +68,8 @@ static float legal_position(float position)
 static int legal_option(const struct action *action)
 {
     for (const struct key *key = action_keys(action->verb); key->name; key++) {
-        const struct key *options = key->type == KEY_COEFFICIENT ? NULL : action_options(key->type);
-        if (options) {
-            return action->option >= 0 && action->option < key_count(options) ? action->option : 0;
+        if (key->type == KEY_OPTION) {
+            return action->option >= 0 && action->option < key_count(action_options(key)) ? action->option : 0;
         }
     }
     return 0;

@@ -65,9 +65,8 @@ struct action {
 
 /* The parameters of a verb, ends with a key whose name is NULL. A KEY_POINT named `at` sets has_at. */
 const struct key *action_keys(enum action_verb verb);
-/* The table that an `option` or `coefficient` of a type is one of: KEY_COEFFICIENT, KEY_GROWTH, KEY_STORM, KEY_DISH;
- * else NULL. */
-const struct key *action_options(enum key_type type);
+/* The table that a value of this key is an index into: of KEY_COEFFICIENT and KEY_OPTION; else NULL. */
+const struct key *action_options(const struct key *key);
 /* The name of a verb as scripts write it: "drop", "brush_solvent", ... */
 const char *action_name(enum action_verb verb);
 /* One sentence about it. */

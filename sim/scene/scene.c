@@ -1,18 +1,16 @@
 #include "scene.h"
 
-#include "dish.h"
-#include "scene_trees.h"
-#include "storm.h"
 #include "verb.h"
 
-const char *const scene_kind_names[SCENE_KINDS + 1] = {"painting", "trees", "lightning", "chemistry", NULL};
+#define SCENE_NAME(kind, name, type)   name,
+#define SCENE_EXTERN(kind, name, type) extern const struct scene_type type;
+#define SCENE_ENTRY(kind, name, type)  [kind] = &(type),
+
+const char *const scene_kind_names[SCENE_KINDS + 1] = {"painting", SCENE_TYPES(SCENE_NAME) NULL};
 const char *const scene_field_names[SCENE_FIELDS + 1] = {"dark", "along", "around", NULL};
 
-const struct scene_type *const scene_types[SCENE_KINDS] = {
-    [SCENE_TREES] = &trees_type,
-    [SCENE_LIGHTNING] = &storm_type,
-    [SCENE_CHEMISTRY] = &dish_type,
-};
+SCENE_TYPES(SCENE_EXTERN)
+const struct scene_type *const scene_types[SCENE_KINDS] = {SCENE_TYPES(SCENE_ENTRY)};
 
 enum scene_kind scene_kind_of(enum action_verb verb)
 {

@@ -156,10 +156,27 @@ static uint64_t hash(const void *scene)
     return garden_hash(trees->garden);
 }
 
+static void initial_options(void *options)
+{
+    *(struct growth_def *)options = growth_preset(METAPHOR_INK, false);
+}
+
+static void take_option(void *options, int key, float value)
+{
+    growth_take(options, key, value);
+}
+
+static const char *const BRINGS[] = {"metaphor", "tree", NULL};
+
 const struct scene_type trees_type = {
-    .name = "trees",
+    .shows = SHOW_PLATE,
+    .about = "How they grow in a scene of trees; defaults are those of ink.",
     .options = growth_keys,
+    .brings = BRINGS,
     .sets = ACTION_SHAPE,
+    .begins = ACTION_PLANT,
+    .initial = initial_options,
+    .take = take_option,
     .create = create,
     .destroy = destroy,
     .resize = resize,

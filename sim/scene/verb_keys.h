@@ -39,9 +39,9 @@
 /* Value of a verb that sets an option of a scene. */
 #define OPTION_VALUE(min, max)                                                                                         \
     NUMBER(value, "as that", min, max, 0, "Its value; of a choice its name or its number from 0, of a flag 0 or 1.")
-#define OPTION(name, type, text)                                                                                       \
+#define OPTION(name, kind, text)                                                                                       \
     {                                                                                                                  \
-        name, type, "", 0, 0, 0, NULL, KEY_AT(option), true, text                                                      \
+        name, KEY_OPTION, "", kind, kind, 0, NULL, KEY_AT(option), true, text                                          \
     }
 
 #endif

@@ -7,7 +7,7 @@ static const struct key STOCK[] = {
     END,
 };
 static const struct key SHAPE[] = {
-    OPTION("growth", KEY_GROWTH, "What to set, as of frond grow."),
+    OPTION("growth", SCENE_TREES, "What to set, as of frond grow."),
     OPTION_VALUE(0, 2147483647.0),
     END,
 };
