@@ -55,10 +55,8 @@ extern const struct key growth_keys[]; /* of struct growth_def; ends with a key 
 /* The values that suit a metaphor, as a dendrite or as a tree. */
 struct growth_def growth_preset(enum metaphor metaphor, bool tree);
 
-/* A value of growth_keys[] as a number: choices and flags by theirs from 0. Paths and points are none: 0. */
-float growth_value(const struct growth_def *def, int key);
-/* Sets it, brought into its range and rounded where it is whole. Another metaphor, or a tree instead of a dendrite,
- * brings its own values of all others but the seed. */
+/* Sets a value of growth_keys[], brought into its range and rounded where it is whole. Another metaphor, or a tree
+ * instead of a dendrite, brings its own values of all others but the seed. */
 void growth_take(struct growth_def *def, int key, float value);
 
 struct growth {
@@ -86,9 +84,10 @@ bool growth_brush(struct growth *growth, float x, float y, float radius, float a
 /* Adds the lines of all layers. False when memory is short. */
 bool growth_strokes(const struct growth *growth, struct strokes *strokes);
 
-/* For gardens: what the lattice is made of; endpoints within a rectangle, which is not empty, placed anew, kept apart
- * from those around it, false when memory is short. */
+/* For gardens: what the lattice is made of; how thick a dendrite is; endpoints within a rectangle, which is not empty,
+ * placed anew, kept apart from those around it, false when memory is short. */
 struct lattice_def growth_lattice_def(const struct growth_def *def);
+struct thickness growth_thickness(const struct growth_def *def);
 bool growth_place_again(struct growth *growth, struct rectangle touched);
 
 /* For growth_tree.c: lays out branches, smooths, thickens. */
