@@ -6,7 +6,7 @@
 
 #include "fit.h"
 #include "ink.h"
-#include "key_rows.h"
+#include "key_fields.h"
 
 enum { DETAIL = 512, DETAIL_TREE = 640, SIZE_OVER = 3, SIZE_MOST = 8192 };
 

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "grow.h"
-#include "key_rows.h"
+#include "key_fields.h"
 #include "rounded.h"
 #include "stroke_raster.h"
 

@@ -7,7 +7,7 @@
 #include "dish.h"
 #include "growth.h"
 #include "kernel.h"
-#include "key_rows.h"
+#include "key_fields.h"
 #include "storm.h"
 
 static const char *const EDGES[] = {"hard", "soft", "ragged", NULL};

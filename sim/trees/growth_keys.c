@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "key_rows.h"
+#include "key_fields.h"
 
 static const char *const SIDES[] = {"none", "left", "right", "all", NULL};
 const char *const metaphor_names[METAPHORS + 1] = {"ink",   "vine",   "lightning", "winter",
