@@ -7,7 +7,7 @@
 
 #include "bolt_mesh.h"
 #include "bolt_plant.h"
-#include "key_rows.h"
+#include "key_fields.h"
 #include "progress.h"
 
 enum { SIZE = 1024, SIDES = 6, FILM = 120, RASTER_SIDE = 1024, PANORAMA_SIDE = 256, STEP = 256 };

@@ -6,7 +6,7 @@
 
 #include "fit.h"
 #include "ink.h"
-#include "key_rows.h"
+#include "key_fields.h"
 
 enum { DETAIL = 512, DETAIL_TREE = 640, SIZE_OVER = 3, SIZE_MOST = 8192 };
 
@@ -58,27 +58,32 @@ static bool read_background(struct grown *grown, struct file_error *error)
     return good;
 }
 
+struct growth *grow_over(const struct image *image, int side, const struct growth_def *def)
+{
+    int width, height;
+    fit_size(image, side, &width, &height);
+    width = width < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : width;
+    height = height < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : height;
+    struct growth *growth = NULL;
+    float *linear = fit_linear(image, width, height);
+    float *grey = malloc((size_t)width * (size_t)height * sizeof *grey);
+    if (linear && grey) {
+        importance_grey(linear, width, height, 4, 3, grey);
+        growth = growth_create(grey, width, height, def);
+    }
+    free(linear);
+    free(grey);
+    return growth;
+}
+
 static bool read_picture(struct grown *grown, struct file_error *error)
 {
     const struct grow_def *def = grown->def;
     struct image image;
     bool good = fit_read(def->picture, &image, error);
     if (good) {
-        int width, height,
-            side = def->detail >= GROWTH_SIZE_LEAST ? def->detail
-                   : def->growth.tree               ? DETAIL_TREE
-                                                    : DETAIL;
-        fit_size(&image, side, &width, &height);
-        width = width < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : width;
-        height = height < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : height;
-        float *linear = fit_linear(&image, width, height);
-        float *grey = malloc((size_t)width * (size_t)height * sizeof *grey);
-        if (linear && grey) {
-            importance_grey(linear, width, height, 4, 3, grey);
-            grown->growth = growth_create(grey, width, height, &def->growth);
-        }
-        free(linear);
-        free(grey);
+        int side = def->detail >= GROWTH_SIZE_LEAST ? def->detail : def->growth.tree ? DETAIL_TREE : DETAIL;
+        grown->growth = grow_over(&image, side, &def->growth);
         good = grown->growth || file_fail(error, def->picture, "memory is short");
     }
     image_finish(&image);

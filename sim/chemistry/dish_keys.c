@@ -2,7 +2,7 @@
 
 #include "gray_scott_classes.h"
 #include "gray_scott_rows.h"
-#include "key_rows.h"
+#include "key_fields.h"
 
 static const char *const STARTS[DISH_STARTS + 1] = {"preset", "nothing", "spots", "noise", NULL};
 

@@ -1,9 +1,9 @@
-/* The rows of gray_scott_keys (key_rows.h), once for each table that has them: over struct gray_scott_def, over one
+/* The rows of gray_scott_keys (key_fields.h), once for each table that has them: over struct gray_scott_def, over one
  * within a struct. */
 #ifndef FROND_GRAY_SCOTT_ROWS_H
 #define FROND_GRAY_SCOTT_ROWS_H
 
-#include "key_rows.h"
+#include "key_fields.h"
 
 #define GRAY_SCOTT_ROWS                                                                                                \
     NUMBER(feed, "per unit of time", 0, 0.15, 0.037, "How fast fresh u comes, and everything is thinned."),            \

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "key_rows.h"
+#include "key_fields.h"
 #include "random.h"
 
 const char *const bolt_kind_names[BOLT_KINDS + 1] = {"lightning",   "tesla", "tree",     "lichen",  "coral",

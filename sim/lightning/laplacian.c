@@ -6,22 +6,23 @@
 
 #include "laplacian_boundary.h"
 #include "laplacian_state.h"
+#include "vectors.h"
 
 static const float OFF_GRID_SPACING = 0.7f;
 enum { QUICK_FROM = 3000 /* candidates from which the fast method is quicker */ };
 
 const struct laplacian_kernels *laplacian_kernels_best(void)
 {
+    switch (vectors_here(VECTORS_BEST)) {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512dq")) {
+    case VECTORS_AVX512:
         return &laplacian_kernels_avx512;
-    }
-    if (__builtin_cpu_supports("avx2")) {
+    case VECTORS_AVX2:
         return &laplacian_kernels_avx2;
-    }
 #endif
-    return &laplacian_kernels_narrow;
+    default:
+        return &laplacian_kernels_narrow;
+    }
 }
 
 static bool are_finite(const float *values, int count)

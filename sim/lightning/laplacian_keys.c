@@ -1,6 +1,6 @@
 #include "laplacian.h"
 
-#include "key_rows.h"
+#include "key_fields.h"
 
 const char *const laplacian_method_names[LAPLACIAN_METHODS + 1] = {"auto", "exact", "fast", NULL};
 const char *const laplacian_status_names[LAPLACIAN_STATUSES] = {

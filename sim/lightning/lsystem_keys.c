@@ -1,6 +1,6 @@
 #include "lsystem.h"
 
-#include "key_rows.h"
+#include "key_fields.h"
 
 const char *const lsystem_status_names[LSYSTEM_STATUSES] = {
     "growing",   "complete", "nothing left to grow", "as many nodes as it may have", "hit", "far enough", "no seed",

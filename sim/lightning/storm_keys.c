@@ -2,7 +2,7 @@
 
 #include "storm.h"
 
-#include "key_rows.h"
+#include "key_fields.h"
 
 #define KEY_AT(field) offsetof(struct storm_def, field)
 

@@ -1,6 +1,6 @@
 #include "coefficients.h"
 
-#include "key_rows.h"
+#include "key_fields.h"
 
 static const char *const STENCILS[] = {"isotropic", "nine", "five", "raw", NULL};
 static const char *const NOISES[] = {"uniform", "smooth", "lognormal", NULL};

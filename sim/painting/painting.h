@@ -24,6 +24,7 @@
 
 #include "action.h"
 #include "coefficients.h"
+#include "vectors.h"
 
 enum {
     PAINTING_INKS = 4,      /* inks that a painting carries */
@@ -32,21 +33,14 @@ enum {
     PAINTING_MARGIN_MAX = 256,
 };
 
-enum painting_vectors {
-    VECTORS_BEST,   /* the widest that this machine has */
-    VECTORS_NARROW, /* SSE2 or NEON */
-    VECTORS_AVX2,
-    VECTORS_AVX512,
-};
-
 struct painting_def {
     int width, height; /* cells of the visible sheet, PAINTING_SIZE_MIN..PAINTING_SIZE_MAX */
     int margin; /* cells simulated beyond each side, 0..PAINTING_MARGIN_MAX, so that growth does not turn square there
                  */
-    uint32_t seed;                 /* of the static noise and of everything random */
-    int threads;                   /* 0: one for each processor */
-    bool dense;                    /* keep every tile awake: for tests and measurements, the bits are the same */
-    enum painting_vectors vectors; /* wider than the machine has: the widest it has */
+    uint32_t seed;        /* of the static noise and of everything random */
+    int threads;          /* 0: one for each processor */
+    bool dense;           /* keep every tile awake: for tests and measurements, the bits are the same */
+    enum vectors vectors; /* wider than the machine has: the widest it has */
     struct coefficients coefficients;
 };
 

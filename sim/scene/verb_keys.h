@@ -3,7 +3,7 @@
 #define FROND_VERB_KEYS_H
 
 #include "action.h"
-#include "key_rows.h"
+#include "key_fields.h"
 
 #define KEY_AT(field)      offsetof(struct action, field)
 #define VALUE(field, text) NUMBER(field, "as the coefficient", -100, 1000, 0, text)

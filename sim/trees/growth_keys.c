@@ -1,6 +1,8 @@
 #include "growth.h"
 
-#include "key_rows.h"
+#include <string.h>
+
+#include "key_fields.h"
 
 static const char *const SIDES[] = {"none", "left", "right", "all", NULL};
 const char *const metaphor_names[METAPHORS + 1] = {"ink",   "vine",   "lightning", "winter",
@@ -136,4 +138,15 @@ struct growth_def growth_preset(enum metaphor metaphor, bool tree)
         dress_tree(&def);
     }
     return def;
+}
+
+void growth_take(struct growth_def *def, int key, float value)
+{
+    const struct key *of = &growth_keys[key];
+    int seed = def->seed;
+    key_take(of, def, value);
+    if (strcmp(of->name, "metaphor") == 0 || strcmp(of->name, "tree") == 0) {
+        *def = growth_preset((enum metaphor)def->metaphor, def->tree);
+        def->seed = seed;
+    }
 }

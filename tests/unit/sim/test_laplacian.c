@@ -430,7 +430,7 @@ static void what_cannot_be_is_told(void **state)
         def.method = i / 2 % 2 ? LAPLACIAN_EXACT : LAPLACIAN_FAST;
         def.dimensions = 2 + i / 4;
         def.particles = def.dimensions == 2 ? 2000 : 500;
-        struct laplacian *laplacian = grown(&def);
+        laplacian = grown(&def);
         assert_int_equal(laplacian_count(laplacian), def.particles);
         for (int n = 0; n < def.particles; n++) {
             assert_true(isfinite(laplacian_node(laplacian, n).potential));

@@ -1,5 +1,5 @@
-/* Rows of tables of keys (key.h), all in one order: field, unit, least, most, default, meaning. For the file that has
- * the table; it says where a field lies:
+/* Rows of tables whose keys (key.h) are called as their fields, all in one order: field, unit, least, most, default,
+ * meaning. For the file that has the table; it says where a field lies:
  *
  *     #define KEY_AT(field) offsetof(struct storm_def, field)
  *     const struct key storm_keys[] = {
@@ -7,8 +7,8 @@
  *         END,
  *     };
  */
-#ifndef FROND_KEY_ROWS_H
-#define FROND_KEY_ROWS_H
+#ifndef FROND_KEY_FIELDS_H
+#define FROND_KEY_FIELDS_H
 
 #include "key.h"
 
