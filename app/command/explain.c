@@ -203,6 +203,7 @@ static const char *const ABOUT_OPTIONS[SCENE_KINDS] = {
 bool explain(const char *asked, FILE *out)
 {
     struct key options[EXHIBIT_OPTIONS_KEYS];
+    struct inputs_tables inputs;
     struct explaining explaining = {.asked = asked, .out = out};
     explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
     explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
@@ -223,7 +224,7 @@ bool explain(const char *asked, FILE *out)
         exhibit_options_keys((enum scene_kind)kind, options);
         explain_keys(&explaining, scene_kind_names[kind], ABOUT_OPTIONS[kind], options);
     }
-    explain_tables(&explaining, inputs_tables);
+    explain_tables(&explaining, inputs_tables_of(&inputs));
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
     explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", laplacian_keys);

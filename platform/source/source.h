@@ -23,11 +23,16 @@ struct source_error {
     char text[300]; /* one line, names the device, the file and what to do about it */
 };
 
-enum device_class { DEVICE_TOUCH, DEVICE_POINTER, DEVICE_KEYBOARD, DEVICE_CONTROLLER, DEVICE_LINES };
+/* Classes of devices, as people read them; a source may have others. */
+#define DEVICE_TOUCH      "touchscreen"
+#define DEVICE_POINTER    "pointer"
+#define DEVICE_KEYBOARD   "keyboard"
+#define DEVICE_CONTROLLER "controller"
+#define DEVICE_LINES      "lines"
 
-struct device {  /* what is plugged in, used or not */
-    uint32_t id; /* as in struct event */
-    enum device_class class;
+struct device {               /* what is plugged in, used or not */
+    uint32_t id;              /* as in struct event */
+    const char *class;        /* DEVICE_TOUCH, ...; lives for ever */
     uint16_t vendor, product; /* USB ids; 0: none */
     char name[SOURCE_NAME];   /* as the device calls itself */
     char path[SOURCE_NAME];   /* "/dev/hidraw0" */

@@ -289,6 +289,7 @@ struct source *source_fake_create(const struct source_fake_def *def, struct sour
     for (int i = 0; i < fake->def.device_count; i++) {
         fake->devices[i] = def->device_count > 0 ? def->devices[i] : (struct device){.name = "fake", .admitted = true};
         fake->devices[i].id = (uint32_t)i + 1;
+        fake->devices[i].class = fake->devices[i].class ? fake->devices[i].class : "device";
     }
     fake->begun_us = now_us(fake);
     for (int i = 0; i < fake->def.device_count && !def->absent; i++) {

@@ -22,7 +22,8 @@ struct source_fake_step {
 
 struct source_fake_def {
     enum event_source source;             /* what its events say they come from; SOURCE_FAKE if it plays nobody */
-    const struct device *devices;         /* all that may come; copied. Ids are given here: 1, 2, ... */
+    const struct device *devices;         /* all that may come; copied. Ids are given here: 1, 2, ...; class NULL:
+                                             "device" */
     int device_count;                     /* 0: one device that has no name */
     bool absent;                          /* they are not there at first; else they are, and say so */
     const struct source_fake_step *steps; /* copied */

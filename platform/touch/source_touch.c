@@ -57,8 +57,8 @@ static void note_refusal(struct source_touch *touch, const char *path, int code)
     }
     touch_device_explain(device.trouble, sizeof device.trouble, path, code);
     device.admission = touch_admit(&touch->definition->def, &device.traits);
-    source_note(&touch->queue, "%s '%.40s' (%.40s): %s", touch_class_name(touch_class(&device.traits)),
-                device.traits.name, path, device.trouble);
+    source_note(&touch->queue, "%s '%.40s' (%.40s): %s", touch_class(&device.traits), device.traits.name, path,
+                device.trouble);
     touch_devices_add(&touch->devices, &device);
     touch->sweep = true;
 }
@@ -98,10 +98,9 @@ static bool is_heard(const struct touch_device *device)
 
 static void post_presence(struct source_touch *touch, const struct touch_device *device, enum event_kind kind)
 {
-    const struct event event = {.kind = kind,
-                                .source = touch_class(&device->traits) == DEVICE_KEYBOARD ? SOURCE_KEY : SOURCE_TOUCH,
-                                .time_us = source_now_us(),
-                                .device = device->id};
+    bool keyboard = strcmp(touch_class(&device->traits), DEVICE_KEYBOARD) == 0;
+    const struct event event = {
+        .kind = kind, .source = keyboard ? SOURCE_KEY : SOURCE_TOUCH, .time_us = source_now_us(), .device = device->id};
     source_post(&touch->queue, &event);
 }
 
@@ -121,7 +120,7 @@ static void arrive(struct source_touch *touch, struct libinput_device *from)
     read.admission = touch_admit(&touch->definition->def, traits);
     struct touch_device *device = touch_devices_add(&touch->devices, &read);
     libinput_device_set_user_data(from, device);
-    const char *class = touch_class_name(touch_class(traits));
+    const char *class = touch_class(traits);
     if (!device || !is_heard(device)) {
         /* What has keys stays grabbed all the same. */
         libinput_device_config_send_events_set_mode(from, LIBINPUT_CONFIG_SEND_EVENTS_DISABLED);
@@ -144,8 +143,8 @@ static void leave(struct source_touch *touch, struct touch_device *device)
     if (device->arrived) {
         device->arrived = false;
         post_presence(touch, device, EVENT_LEFT);
-        source_note(&touch->queue, "%s '%.60s' (%s) has left", touch_class_name(touch_class(&device->traits)),
-                    device->traits.name, device->path);
+        source_note(&touch->queue, "%s '%.60s' (%s) has left", touch_class(&device->traits), device->traits.name,
+                    device->path);
     }
 }
 

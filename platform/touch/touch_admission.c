@@ -135,15 +135,10 @@ bool touch_key_is_bound(const struct source_touch_def *def, uint32_t code)
     return false;
 }
 
-enum device_class touch_class(const struct touch_traits *traits)
+const char *touch_class(const struct touch_traits *traits)
 {
     if (traits->touch && !traits->touchpad) {
         return DEVICE_TOUCH;
     }
     return traits->keys ? DEVICE_KEYBOARD : DEVICE_POINTER;
-}
-
-const char *touch_class_name(enum device_class class)
-{
-    return class == DEVICE_TOUCH ? "touchscreen" : class == DEVICE_KEYBOARD ? "keyboard" : "pointer";
 }

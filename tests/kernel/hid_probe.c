@@ -63,8 +63,8 @@ static void say_devices(const struct source *source)
     struct device devices[16];
     int count = source->ops->devices(source, devices, 16);
     for (int i = 0; i < count && i < 16; i++) {
-        printf("device %u '%s' %04x:%04x %s class %d %s %s\n", devices[i].id, devices[i].name, devices[i].vendor,
-               devices[i].product, devices[i].path, (int)devices[i].class, devices[i].admitted ? "admitted" : "ignored",
+        printf("device %u '%s' %04x:%04x %s class %s %s %s\n", devices[i].id, devices[i].name, devices[i].vendor,
+               devices[i].product, devices[i].path, devices[i].class, devices[i].admitted ? "admitted" : "ignored",
                devices[i].trouble);
     }
 }

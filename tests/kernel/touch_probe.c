@@ -90,11 +90,10 @@ static void say_event(struct seen *seen, const struct event *event)
 
 static void say_devices(const struct source *source)
 {
-    static const char *const classes[] = {"touchscreen", "pointer", "keyboard"};
     struct device devices[SOURCE_TOUCH_DEVICES];
     int found = source->ops->devices(source, devices, SOURCE_TOUCH_DEVICES);
     for (int i = 0; i < found; i++) {
-        printf("listed %s '%s' %04x:%04x %s %s%s%s\n", classes[devices[i].class], devices[i].name, devices[i].vendor,
+        printf("listed %s '%s' %04x:%04x %s %s%s%s\n", devices[i].class, devices[i].name, devices[i].vendor,
                devices[i].product, devices[i].path, devices[i].admitted ? "admitted" : "not admitted",
                devices[i].trouble[0] ? ": " : "", devices[i].trouble);
     }

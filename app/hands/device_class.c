@@ -1,0 +1,37 @@
+#include "device_class.h"
+
+#include <string.h>
+
+extern const struct device_class class_touch, class_hid, class_gpio;
+
+const struct device_class *const device_classes[] = {
+    &class_touch,
+    &class_hid,
+    &class_gpio,
+    NULL,
+};
+
+const struct device_class *device_class_of(const struct source *source)
+{
+    int i = 0;
+    while (device_classes[i] && strcmp(device_classes[i]->source, source->ops->name) != 0) {
+        i++;
+    }
+    return device_classes[i];
+}
+
+const struct binding_source *binding_source_of(const struct event *event, const struct inputs *inputs,
+                                               const char **name, char *text, size_t size)
+{
+    for (int i = 0; device_classes[i]; i++) {
+        for (const struct binding_source *from = device_classes[i]->sources; from->key.name; from++) {
+            *name = from->source == event->source ? from->name(inputs, event->control, text, size) : NULL;
+            if (*name) {
+                return from;
+            }
+        }
+    }
+    snprintf(text, size, "%u", event->control);
+    *name = text;
+    return NULL;
+}
