@@ -46,7 +46,6 @@ bool devices_event(const struct event *event, const struct device *device, const
         [EVENT_DOWN] = "finger down",       [EVENT_MOVE] = "finger moves", [EVENT_UP] = "finger up",
         [EVENT_CANCEL] = "finger was none", [EVENT_ARRIVED] = "has come",  [EVENT_LEFT] = "has left"};
     char name[DEVICES_CONTROL];
-    const char *control;
     switch (event->kind) {
     case EVENT_DOWN:
     case EVENT_MOVE:
@@ -60,12 +59,12 @@ bool devices_event(const struct event *event, const struct device *device, const
         snprintf(text, size, "'%s' %s", device->name, KINDS[event->kind]);
         return true;
     case EVENT_STANDING:
-        binding_source_of(event, inputs, &control, name, sizeof name);
-        snprintf(text, size, "'%s' %s is on", device->name, control);
+        binding_source_of(event, inputs, name, sizeof name);
+        snprintf(text, size, "'%s' %s is on", device->name, name);
         return true;
     case EVENT_CONTROL: {
-        binding_source_of(event, inputs, &control, name, sizeof name);
-        int length = snprintf(text, size, "'%s' %s", device->name, control);
+        binding_source_of(event, inputs, name, sizeof name);
+        int length = snprintf(text, size, "'%s' %s", device->name, name);
         if (event->index > 0 && length > 0 && (size_t)length < size) {
             length += snprintf(text + length, size - (size_t)length, " (index %d)", event->index);
         }
@@ -139,18 +138,16 @@ bool devices_binding(const struct event *event, const struct device *device, con
         snprintf(text, size, "- {touch: press, drop: {}}");
         return true;
     }
-    const char *control;
-    const struct binding_source *from = binding_source_of(event, inputs, &control, name, sizeof name);
-    control = from && from->written ? from->written(inputs, event->control, name, sizeof name) : control;
-    if (!from || !control) {
+    const struct binding_source *from = binding_source_of(event, inputs, name, sizeof name);
+    if (!from || (from->written && !from->written(inputs, event->control, name, sizeof name))) {
         return false;
     }
     if (event->index > 0) {
         snprintf(index, sizeof index, "index: %d, ", event->index);
     }
     controller_part(from, device, inputs, controller, sizeof controller);
-    const char *quote = strchr(control, ':') ? "'" : "";
-    snprintf(text, size, "- {%s: %s%s%s, %s%s%s}", from->key.name, quote, control, quote, controller, index,
+    const char *quote = strchr(name, ':') ? "'" : "";
+    snprintf(text, size, "- {%s: %s%s%s, %s%s%s}", from->key.name, quote, name, quote, controller, index,
              usual_action(from, event));
     return true;
 }

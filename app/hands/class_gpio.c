@@ -211,19 +211,23 @@ static void read_encoder(struct reader *reader, const struct yaml_node *node, co
     binding->control = (uint32_t)(inputs_find(reader, "encoder", "gpio.encoders", node, &names) + inputs->button_count);
 }
 
-static const char *name_button(const struct inputs *inputs, uint32_t control, char *text, size_t size)
+static bool name_lines(const struct inputs_lines *lines, int count, uint32_t index, char *text, size_t size)
 {
-    (void)text;
-    (void)size;
-    return control < (uint32_t)inputs->button_count ? inputs->buttons[control].id : NULL;
+    bool is = index < (uint32_t)count;
+    if (is) {
+        snprintf(text, size, "%s", lines[index].id);
+    }
+    return is;
 }
 
-static const char *name_encoder(const struct inputs *inputs, uint32_t control, char *text, size_t size)
+static bool name_button(const struct inputs *inputs, uint32_t control, char *text, size_t size)
 {
-    uint32_t encoder = control - (uint32_t)inputs->button_count;
-    (void)text;
-    (void)size;
-    return encoder < (uint32_t)inputs->encoder_count ? inputs->encoders[encoder].id : NULL;
+    return name_lines(inputs->buttons, inputs->button_count, control, text, size);
+}
+
+static bool name_encoder(const struct inputs *inputs, uint32_t control, char *text, size_t size)
+{
+    return name_lines(inputs->encoders, inputs->encoder_count, control - (uint32_t)inputs->button_count, text, size);
 }
 
 static const struct binding_source sources[] = {

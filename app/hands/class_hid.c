@@ -175,20 +175,20 @@ static const struct inputs_device *controllers_of(const struct inputs *inputs, i
     return inputs->controllers;
 }
 
-static const char *name_usage(const struct inputs *inputs, uint32_t control, char *text, size_t size)
+static bool name_usage(const struct inputs *inputs, uint32_t control, char *text, size_t size)
 {
     (void)inputs;
-    return hid_usage_name(control, text, (int)size);
+    hid_usage_name(control, text, (int)size);
+    return true;
 }
 
-static const char *write_usage(const struct inputs *inputs, uint32_t control, char *text, size_t size)
+static bool write_usage(const struct inputs *inputs, uint32_t control, char *text, size_t size)
 {
-    const char *name = name_usage(inputs, control, text, size);
-    if (hid_usage_of(name) != control) {
+    name_usage(inputs, control, text, size);
+    if (hid_usage_of(text) != control) {
         snprintf(text, size, "0x%08x", control);
-        name = text;
     }
-    return name;
+    return true;
 }
 
 static const char *begin_with(const struct event *event)

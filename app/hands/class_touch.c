@@ -54,12 +54,14 @@ static const struct inputs_device *keyboards_of(const struct inputs *inputs, int
     return inputs->keyboards;
 }
 
-static const char *name_key(const struct inputs *inputs, uint32_t control, char *text, size_t size)
+static bool name_key(const struct inputs *inputs, uint32_t control, char *text, size_t size)
 {
+    const char *name = key_name_of(control);
     (void)inputs;
-    (void)text;
-    (void)size;
-    return key_name_of(control);
+    if (name) {
+        snprintf(text, size, "%s", name);
+    }
+    return name;
 }
 
 static const char *begin_with(const struct event *event)

@@ -20,18 +20,16 @@ const struct device_class *device_class_of(const struct source *source)
     return device_classes[i];
 }
 
-const struct binding_source *binding_source_of(const struct event *event, const struct inputs *inputs,
-                                               const char **name, char *text, size_t size)
+const struct binding_source *binding_source_of(const struct event *event, const struct inputs *inputs, char *text,
+                                               size_t size)
 {
     for (int i = 0; device_classes[i]; i++) {
         for (const struct binding_source *from = device_classes[i]->sources; from->key.name; from++) {
-            *name = from->source == event->source ? from->name(inputs, event->control, text, size) : NULL;
-            if (*name) {
+            if (from->source == event->source && from->name(inputs, event->control, text, size)) {
                 return from;
             }
         }
     }
     snprintf(text, size, "%u", event->control);
-    *name = text;
     return NULL;
 }

@@ -20,12 +20,13 @@ struct binding_source {
     /* The devices that a binding may name as its `controller`, and the key of their list; NULL: it names none. */
     const struct inputs_device *(*devices)(const struct inputs *inputs, int *count);
     const char *list;
-    /* What people call a control; `text` may hold it. NULL: it is no control of this source. */
-    const char *(*name)(const struct inputs *inputs, uint32_t control, char *text, size_t size);
-    /* As a binding has it; NULL: it can be none. Both may be left out: as people call it; with a button `drop`, with
-     * an axis or a dial `turn`. */
-    const char *(*written)(const struct inputs *inputs, uint32_t control, char *text, size_t size);
-    const char *(*action)(const struct event *event); /* an action to begin with, for a binding to paste */
+    /* What people call a control, and what a binding does. False: it is no control of this source, or a binding cannot
+     * have it. `written` may be left out: both call it the same. */
+    bool (*name)(const struct inputs *inputs, uint32_t control, char *text, size_t size);
+    bool (*written)(const struct inputs *inputs, uint32_t control, char *text, size_t size);
+    /* An action to begin with, in a binding to paste. NULL, or it may be left out: `drop` for a button, BINDING_TURN
+     * for an axis or a dial. */
+    const char *(*action)(const struct event *event);
 };
 
 /* The action for an axis or a dial. */
@@ -50,9 +51,10 @@ extern const struct device_class *const device_classes[]; /* ends with NULL */
 
 /* The class of a source; NULL: none, as of devices that are not there. */
 const struct device_class *device_class_of(const struct source *source);
-/* What a control belongs to, and in `name` what it is called; its number where nothing knows it, and NULL. `text` is
- * of the caller. */
-const struct binding_source *binding_source_of(const struct event *event, const struct inputs *inputs,
-                                               const char **name, char *text, size_t size);
+/* What the control of an event belongs to, and in `text` what it is called; its number where nothing knows it, and
+ * NULL.
+ */
+const struct binding_source *binding_source_of(const struct event *event, const struct inputs *inputs, char *text,
+                                               size_t size);
 
 #endif

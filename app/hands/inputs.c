@@ -38,10 +38,10 @@ static bool read_scalar(struct reader *reader, const struct key *key, const stru
     return key_is_section(key) || value_read(reader, key, node, object);
 }
 
-void inputs_mapping(struct reader *reader, const struct yaml_node *root, const char *name, const struct key *keys,
+void inputs_mapping(struct reader *reader, const struct yaml_node *within, const char *name, const struct key *keys,
                     void *object, const char *allowed)
 {
-    const struct yaml_node *node = yaml_get(root, name);
+    const struct yaml_node *node = yaml_get(within, name);
     struct value_reading reading = {.read = read_scalar};
     if (!node || yaml_is_nothing(node)) {
         return;

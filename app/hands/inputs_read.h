@@ -17,8 +17,8 @@ void inputs_binding_rows(struct key rows[INPUTS_ROWS]);
 
 /* Fills every value but sections with its default. */
 void inputs_defaults(const struct key *keys, void *object);
-/* A mapping under `name` of `node`, into `object`; rows that are sections are left alone. */
-void inputs_mapping(struct reader *reader, const struct yaml_node *node, const char *name, const struct key *keys,
+/* A mapping under `name` of `within`, into `object`; rows that are sections are left alone. */
+void inputs_mapping(struct reader *reader, const struct yaml_node *within, const char *name, const struct key *keys,
                     void *object, const char *allowed);
 /* A list under `name` of `node`, at most `most` long; `read` takes each item and its place in the list. */
 int inputs_list(struct reader *reader, const struct yaml_node *node, const char *name, int most, const char *allowed,
