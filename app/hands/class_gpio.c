@@ -256,7 +256,7 @@ static struct gpio_line_def line_of(const struct inputs_lines *lines, const stru
                                   .active_low = lines->active_low};
 }
 
-static struct source *create(const struct sources_def *def, struct source_error *error)
+static struct source *create(const struct sources_def *def, struct device_error *error)
 {
     const struct inputs *inputs = def->inputs;
     struct gpio_button_def buttons[INPUTS_LINES];

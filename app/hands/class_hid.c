@@ -234,7 +234,7 @@ static void fill_lights(const struct inputs *inputs, struct hid_lamp_def *lamps)
     }
 }
 
-static struct source *create(const struct sources_def *def, struct source_error *error)
+static struct source *create(const struct sources_def *def, struct device_error *error)
 {
     struct hid_device_def devices[INPUTS_CONTROLLERS];
     struct hid_map_entry *maps = calloc((size_t)INPUTS_CONTROLLERS * INPUTS_MAP, sizeof *maps);

@@ -81,7 +81,7 @@ static const struct binding_source sources[] = {
     {.key = END},
 };
 
-static struct source *create(const struct sources_def *def, struct source_error *error)
+static struct source *create(const struct sources_def *def, struct device_error *error)
 {
     const struct inputs *inputs = def->inputs;
     struct source_touch_device_def devices[INPUTS_KEYBOARDS];

@@ -42,7 +42,7 @@ struct device_class {
     /* Reads its sections; problems go to the report. */
     void (*read)(struct reader *reader, const struct yaml_node *root, struct inputs *inputs);
     /* Its source. NULL with an empty error: none is wanted; with another: none can be had. */
-    struct source *(*create)(const struct sources_def *def, struct source_error *error);
+    struct source *(*create)(const struct sources_def *def, struct device_error *error);
     /* What `frond devices` has to say of a device beyond its name, in lines of four spaces; NULL: nothing. */
     void (*print)(const struct source *source, const struct device *device, FILE *out);
 };

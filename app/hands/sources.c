@@ -26,7 +26,7 @@ bool sources_add(struct sources *sources, struct source *source)
     return true;
 }
 
-static void fail(struct sources *sources, const char *name, const struct source_error *error)
+static void fail(struct sources *sources, const char *name, const struct device_error *error)
 {
     if (sources->failure_count < SOURCES_MAX) {
         snprintf(sources->failures[sources->failure_count++], LINE, "%s: %s", name, error->text);
@@ -37,7 +37,7 @@ struct sources *sources_create(const struct sources_def *def)
 {
     struct sources *sources = calloc(1, sizeof *sources);
     for (int i = 0; sources && device_classes[i]; i++) {
-        struct source_error error = {""};
+        struct device_error error = {""};
         if (!sources_add(sources, device_classes[i]->create(def, &error)) && error.text[0]) {
             fail(sources, device_classes[i]->noun, &error);
         }

@@ -15,13 +15,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "device_error.h"
 #include "event.h"
 
 enum { SOURCE_NAME = 96, SOURCE_EVENTS = 1024 };
-
-struct source_error {
-    char text[300]; /* one line, names the device, the file and what to do about it */
-};
 
 /* Classes of devices, as people read them; a source may have others. */
 #define DEVICE_TOUCH      "touchscreen"

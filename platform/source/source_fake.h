@@ -36,7 +36,7 @@ struct source_fake_def {
 };
 
 /* NULL: the definition is wrong, or memory is short. */
-struct source *source_fake_create(const struct source_fake_def *def, struct source_error *error);
+struct source *source_fake_create(const struct source_fake_def *def, struct device_error *error);
 
 /* Devices by their place in the definition. What a device does while it is not there is lost, as with real ones. */
 void source_fake_arrive(struct source *source, int device);

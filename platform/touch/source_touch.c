@@ -376,30 +376,30 @@ static void hear_log(struct libinput *libinput, enum libinput_log_priority prior
     }
 }
 
-static bool start(struct source_touch *touch, struct source_error *error)
+static bool start(struct source_touch *touch, struct device_error *error)
 {
     static const struct libinput_interface interface = {open_restricted, close_restricted};
     const struct source_touch_def *def = &touch->definition->def;
     if (def->hold && !(touch->hold = seat_hold_create(def->console, &touch->queue))) {
-        return source_fail(error, "touch: memory is short");
+        return device_fail(error, "touch: memory is short");
     }
     touch->udev = udev_new();
     touch->libinput = touch->udev ? libinput_udev_create_context(&interface, touch, touch->udev) : NULL;
     if (!touch->libinput) {
-        return source_fail(error, "touch: udev or libinput cannot be reached");
+        return device_fail(error, "touch: udev or libinput cannot be reached");
     }
     libinput_log_set_handler(touch->libinput, hear_log);
     if (libinput_udev_assign_seat(touch->libinput, def->seat) != 0) {
-        return source_fail(error, "touch: udev does not tell of devices on %.60s", def->seat);
+        return device_fail(error, "touch: udev does not tell of devices on %.60s", def->seat);
     }
     return true;
 }
 
-struct source *source_touch_create(const struct source_touch_def *def, struct source_error *error)
+struct source *source_touch_create(const struct source_touch_def *def, struct device_error *error)
 {
     struct source_touch *touch = calloc(1, sizeof *touch);
     if (!touch) {
-        source_fail(error, "touch: memory is short");
+        device_fail(error, "touch: memory is short");
         return NULL;
     }
     touch->source.ops = &ops;

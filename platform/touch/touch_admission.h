@@ -23,7 +23,7 @@ struct touch_definition {
 };
 
 /* NULL: see `error`. */
-struct touch_definition *touch_definition_create(const struct source_touch_def *def, struct source_error *error);
+struct touch_definition *touch_definition_create(const struct source_touch_def *def, struct device_error *error);
 void touch_definition_destroy(struct touch_definition *definition); /* takes NULL */
 
 struct touch_admission touch_admit(const struct source_touch_def *def, const struct touch_traits *traits);

@@ -26,7 +26,7 @@ static struct source *create(void)
         {.lamp = 0, .match = {.name = "Space"}, .usage = HID_USAGE(HID_PAGE_LED, 0x4b)},
         {.lamp = 1, .match = {.name = "Board"}, .bit = 16, .bits = 8},
     };
-    struct source_error error;
+    struct device_error error;
     struct source *source = source_hid_create(
         &(struct source_hid_def){
             .devices = &board, .device_count = 1, .lamps = lamps, .lamp_count = 2, .controllers = true},

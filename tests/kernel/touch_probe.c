@@ -29,7 +29,7 @@ static struct source *create(int argc, char *argv[])
     static const uint32_t keys[] = {KEY_F1};
     static struct source_touch_device_def staff = {.keys = true};
     struct source_touch_def def = {.width = 1000, .height = 1000, .touchscreens = true};
-    struct source_error error;
+    struct device_error error;
     for (int i = 1; i < argc; i++) {
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (strcmp(argv[i], "--pointers") == 0) {

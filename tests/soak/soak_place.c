@@ -165,7 +165,7 @@ static void plug_in(struct soak *soak)
         return;
     }
     for (int i = 0; i < SOAK_SOURCES; i++) {
-        struct source_error error = {""};
+        struct device_error error = {""};
         soak->fakes[i] = source_fake_create(
             &(struct source_fake_def){.source = kinds[i], .devices = devices[i], .device_count = DEVICES}, &error);
         if (!soak->fakes[i] || !sources_add(sources, soak->fakes[i])) {
@@ -227,7 +227,7 @@ static struct exhibit *read_exhibit(struct soak *soak)
 bool soak_open(struct soak *soak, uint32_t seed)
 {
     struct display_def display_def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     *soak = (struct soak){.random = seed ? seed : 1, .began_us = now_us()};
     setenv("TZ", "UTC", 1);
     if (!make_folders(soak)) {

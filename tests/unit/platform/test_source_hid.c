@@ -50,7 +50,7 @@ static int finish(void **state)
 
 static void open_source(struct bench *bench, const struct source_hid_def *def)
 {
-    struct source_error error;
+    struct device_error error;
     bench->source = source_hid_create(def, &error);
     assert_non_null(bench->source);
 }

@@ -51,7 +51,7 @@ static int tear_down(void **state)
 
 static void listen(struct bench *bench, const struct source_touch_def *def)
 {
-    struct source_error error;
+    struct device_error error;
     bench->source = source_touch_create(def, &error);
     if (!bench->source) {
         fail_msg("%s", error.text);
