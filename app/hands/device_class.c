@@ -2,14 +2,17 @@
 
 #include <string.h>
 
-extern const struct device_class class_touch, class_hid, class_gpio;
+/* One line a class: the order of their rows in an inputs file. */
+#define CLASSES(EACH)                                                                                                  \
+    EACH(class_touch)                                                                                                  \
+    EACH(class_hid)                                                                                                    \
+    EACH(class_gpio)
 
-const struct device_class *const device_classes[] = {
-    &class_touch,
-    &class_hid,
-    &class_gpio,
-    NULL,
-};
+#define DECLARE(class) extern const struct device_class class;
+#define LIST(class)    &(class),
+CLASSES(DECLARE)
+
+const struct device_class *const device_classes[] = {CLASSES(LIST) NULL};
 
 const struct device_class *device_class_of(const struct source *source)
 {
