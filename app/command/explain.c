@@ -194,6 +194,7 @@ static void explain_tables(struct explaining *explaining, const struct inputs_ta
 bool explain(const char *asked, FILE *out)
 {
     struct key options[EXHIBIT_OPTIONS_KEYS];
+    struct inputs_tables inputs;
     struct explaining explaining = {.asked = asked, .out = out};
     explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
     explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
@@ -214,7 +215,7 @@ bool explain(const char *asked, FILE *out)
         exhibit_options_keys((enum scene_kind)kind, options);
         explain_keys(&explaining, scene_kind_names[kind], scene_types[kind]->about, options);
     }
-    explain_tables(&explaining, inputs_tables);
+    explain_tables(&explaining, inputs_tables_of(&inputs));
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
     explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", laplacian_keys);
