@@ -3,8 +3,8 @@
 #ifndef FROND_VERBS_H
 #define FROND_VERBS_H
 
-#define ACTION_VERB_LIST(VERB)                                                                                         \
-    VERB(DROP, drop)                                                                                                   \
+#define ACTION_VERB_LIST(VERB) VERB(DROP, drop) ACTION_OTHER_VERBS(VERB)
+#define ACTION_OTHER_VERBS(VERB)                                                                                       \
     VERB(BRUSH_SOLVENT, brush_solvent)                                                                                 \
     VERB(BRUSH_INK, brush_ink)                                                                                         \
     VERB(DRAW, draw)                                                                                                   \
