@@ -103,7 +103,7 @@ static struct rectangle bounds(struct deposit *deposit)
         return region_is_laid(&wider) ? deposit->region.cells : (struct rectangle){0, 0, 0, 0};
     case ACTION_POUR:
         wider.radius += RING_WIDTH;
-        return region_of(&ground->def, &wider).cells;
+        return region_of(&deposit->region.canvas, &wider).cells;
     case ACTION_DRY:
     case ACTION_WET:
         return deposit->region.cells;
@@ -122,9 +122,10 @@ void deposit_begin(struct deposit *deposit, const struct ground *ground, const s
     deposit->amount = action->amount;
     deposit->ground = ground;
     deposit->action = *action;
-    deposit->region = region_of(&ground->def, &deposit->action);
+    struct canvas canvas = painting_canvas(&ground->def);
+    deposit->region = region_of(&canvas, &deposit->action);
     if (action->verb == ACTION_RINSE) {
-        rinse_begin(&deposit->water, &ground->def, &deposit->action);
+        rinse_begin(&deposit->water, &canvas, &deposit->action);
     }
     deposit->cells = rectangle_clip(bounds(deposit), ground->width, ground->height);
     deposit->part = deposit->cells;

@@ -6,14 +6,14 @@
  *     brush_solvent solvent comes: cover * amount
  *     brush_ink     ink comes: cover * amount, if the ground is carved there
  *     draw          dry pigment of the ink = max(dry, cover * amount)
- *     pour          cover > 0: fresh ground, everything on it gone; else rho_a = max(rho_a, seed) if rho_p > .1
- *     dry           the share `cover` of solvent, ink and wet pigment dries or leaves
- *     wet           solvent comes, if carved: cover * solvent; the share `amount` of dry pigment loosens
- *     rinse         as rinse.h says: cover is the phase of the water, seed the turn of its flow
+ *     pour          cover > 0: fresh ground, everything on it gone; else rho_a = max(rho_a, seed) if rho_p alone is as
+ * much dry           the share `cover` of solvent, ink and wet pigment dries or leaves wet           solvent comes, if
+ * carved: cover * solvent; the share `amount` of dry pigment loosens rinse         as rinse.h says: cover is the phase
+ * of the water, seed the turn of its flow
  *
- * Carved is rho_a + rho_p > .1. Ink comes with pigment, which blends by mass. Cells under an obstacle are left out,
- * but by draw, pour, dry and rinse. A deposit comes in parts of whole rows, so that the largest takes no more room than
- * the smallest:
+ * Carved is rho_a + rho_p > CARVED_DEPTH (kernel.h). Ink comes with pigment, which blends by mass. Cells under an
+ * obstacle are left out, but by draw, pour, dry and rinse. A deposit comes in parts of whole rows, so that the largest
+ * takes no more room than the smallest:
  *
  *     deposit_begin(&deposit, ground, &action);
  *     while (deposit_next(&deposit)) {
@@ -27,8 +27,6 @@
 #include "rinse.h"
 
 enum { DEPOSIT_CELLS = 1 << 15 }; /* of a part at most: seven rows of the widest sheet */
-
-#define DEPOSIT_CARVED 0.1f /* active + carved pattern above which ground counts as carved */
 
 struct deposit {
     enum action_verb verb;

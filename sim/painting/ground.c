@@ -60,7 +60,7 @@ void ground_destroy(struct ground *ground)
 
 bool ground_copy(struct ground *to, const struct ground *from)
 {
-    if (to->def.width != from->def.width || to->def.height != from->def.height || to->def.margin != from->def.margin) {
+    if (!canvas_is_like(painting_canvas(&to->def), painting_canvas(&from->def))) {
         return false;
     }
     to->def = from->def;
@@ -165,8 +165,8 @@ static void act_guide(struct ground *ground, const struct region *region, int x,
     float strength = region->action->strength, share = 1.0f;
     struct point v = {0.0f, 0.0f};
     if (region->kind == REGION_RASTER && region->raster->channels == 2) {
-        v.x = region_sample(region->def, region->raster, 0, x, y);
-        v.y = region_sample(region->def, region->raster, 1, x, y);
+        v.x = region_sample(&region->canvas, region->raster, 0, x, y);
+        v.y = region_sample(&region->canvas, region->raster, 1, x, y);
     } else if (region->kind == REGION_STROKE) {
         float distance = region_distance(region, x, y, &v) / region->radius;
         share = distance < 1.0f ? (1.0f - distance * distance) * (1.0f - distance * distance) : 0.0f;
@@ -180,7 +180,8 @@ static void act_guide(struct ground *ground, const struct region *region, int x,
 static struct rectangle each_cell(struct ground *ground, const struct action *action,
                                   void (*act)(struct ground *, const struct region *, int x, int y))
 {
-    struct region region = region_of(&ground->def, action);
+    struct canvas canvas = painting_canvas(&ground->def);
+    struct region region = region_of(&canvas, action);
     for (int y = region.cells.y0; y < region.cells.y1; y++) {
         for (int x = region.cells.x0; x < region.cells.x1; x++) {
             act(ground, &region, x, y);
@@ -202,8 +203,9 @@ static struct rectangle clear(struct ground *ground)
 static struct rectangle rinse(struct ground *ground, const struct action *action)
 {
     struct rectangle changed = {ground->width, 0, ground->height, 0};
+    struct canvas canvas = painting_canvas(&ground->def);
     struct rinse water;
-    rinse_begin(&water, &ground->def, action);
+    rinse_begin(&water, &canvas, action);
     for (int y = water.over.y0; y < water.over.y1; y++) {
         for (int x = water.over.x0; x < water.over.x1; x++) {
             if (rinse_is_over(&water, x, y) && ground_fresh_cell(ground, x, y)) {
