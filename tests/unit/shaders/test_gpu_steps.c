@@ -448,18 +448,24 @@ static float solvent_in_the_middle(struct engine *engine)
     return plane[32 * 64 + 32];
 }
 
-/* Programs come anew from a folder; those that do not compile leave the old ones at work. */
+static const char OTHER_FLUID[] =
+    "layout(local_size_x = 128) in;\nlayout(std430, binding = 1) writeonly buffer To { float to[]; };\n"
+    "layout(location = 2) uniform ivec4 work;\nlayout(location = 3) uniform vec4 liquid;\n"
+    "void main() { to[2628u + gl_LocalInvocationIndex] = 1.0 + 1e-9 * (liquid.x + float(work.x)); }\n";
+
+/* Programs come anew from a folder: all of them, or none. */
 static void sources_are_reloaded(void **state)
 {
     (void)state;
     char folder[] = "/tmp/frond-gpu-steps-XXXXXX";
     assert_non_null(mkdtemp(folder));
-    const char *fluid = "";
+    const char *fluid = "", *publish = "";
     for (const struct shader_source *source = shader_sources; source->name; source++) {
         write_source(folder, source->name, source->text);
         fluid = strcmp(source->name, "fluid.comp") == 0 ? source->text : fluid;
+        publish = strcmp(source->name, "publish.comp") == 0 ? source->text : publish;
     }
-    assert_true(fluid[0] != '\0');
+    assert_true(fluid[0] != '\0' && publish[0] != '\0');
     struct display *display = gpu_display();
     struct painting_def def = sheet(64, 64);
     struct shader_error error = {""};
@@ -475,13 +481,16 @@ static void sources_are_reloaded(void **state)
     engine->ops->tick(engine);
     float before = solvent_in_the_middle(engine);
     assert_true(before > 50); /* the old program goes on */
-    write_source(folder, "fluid.comp",
-                 "layout(local_size_x = 128) in;\nlayout(std430, binding = 1) writeonly buffer To { float to[]; };\n"
-                 "layout(location = 2) uniform ivec4 work;\nlayout(location = 3) uniform vec4 liquid;\n"
-                 "void main() { to[2628u + gl_LocalInvocationIndex] = 1.0 + 1e-9 * (liquid.x + float(work.x)); }\n");
+    write_source(folder, "fluid.comp", OTHER_FLUID);
+    write_source(folder, "publish.comp", "void main() { nor is this }\n");
+    assert_false(engine_gpu_reload(engine, &error));
+    assert_non_null(strstr(error.text, "publish.comp"));
+    engine->ops->tick(engine);
+    assert_true(solvent_in_the_middle(engine) > 50); /* the one that compiles has to wait */
+    write_source(folder, "publish.comp", publish);
     assert_true(engine_gpu_reload(engine, &error)); /* a new one is taken */
     engine->ops->tick(engine);
-    assert_true(solvent_in_the_middle(engine) != before);
+    assert_true(solvent_in_the_middle(engine) < 2);
     write_source(folder, "fluid.comp", fluid);
     assert_true(engine_gpu_reload(engine, &error));
     engine->ops->tick(engine);
