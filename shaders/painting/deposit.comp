@@ -152,7 +152,7 @@ void wet_again(int word, float cover)
     }
 }
 
-// sim/painting/rinse.h.
+// sim/action/rinse.h.
 const float RINSE_OVER = 0.97;
 const float RINSE_FILM = 0.4;
 const float RINSE_WATER = 0.5;

@@ -34,8 +34,7 @@ void storm_scar_wash(struct storm *storm, const float *phases, float strength)
 {
     for (size_t i = 0; i < cells_of(storm); i++) {
         if (phases[i] > 0 && storm->scar[i] > 0) {
-            float left = phases[i] >= RINSE_OVER ? 0 : 1 - rinse_shares(phases[i], strength).thins;
-            storm->scar[i] = (uint8_t)((float)storm->scar[i] * left);
+            storm->scar[i] = (uint8_t)((float)storm->scar[i] * (1 - rinse_takes(phases[i], strength)));
         }
     }
 }

@@ -46,7 +46,8 @@ void deposit_begin(struct deposit *deposit, const struct ground *ground, const s
     deposit->amount = action->amount;
     deposit->ground = ground;
     deposit->action = *action;
-    deposit->region = region_of(&ground->def, &deposit->action);
+    struct canvas canvas = painting_canvas(&ground->def);
+    deposit->region = region_of(&canvas, &deposit->action);
     deposit->cells = rectangle_clip(bounds(deposit), ground->width, ground->height);
     deposit->part = deposit->cells;
     deposit->part.y1 = deposit->part.y0;

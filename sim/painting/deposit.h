@@ -16,9 +16,7 @@
 
 enum { DEPOSIT_CELLS = 1 << 15 }; /* of a part at most: seven rows of the widest sheet */
 
-#define DEPOSIT_CARVED 0.1f /* active + carved pattern above which ground counts as carved */
-
-/* What is done to a cell, where cover > 0 (but FRESH). Carved is rho_a + rho_p > DEPOSIT_CARVED. Ink comes with
+/* What is done to a cell, where cover > 0 (but FRESH). Carved is rho_a + rho_p > CARVED_DEPTH (kernel.h). Ink comes with
  * pigment, which blends by mass. In this order in deposit.comp, too. */
 enum deposit_law {
     DEPOSIT_NOTHING,

@@ -57,7 +57,7 @@ void ground_destroy(struct ground *ground)
 
 bool ground_copy(struct ground *to, const struct ground *from)
 {
-    if (to->def.width != from->def.width || to->def.height != from->def.height || to->def.margin != from->def.margin) {
+    if (!canvas_is_like(painting_canvas(&to->def), painting_canvas(&from->def))) {
         return false;
     }
     to->def = from->def;
@@ -126,7 +126,8 @@ bool ground_is_special(const struct ground *ground, struct rectangle cells)
 struct rectangle ground_each_cell(struct ground *ground, const struct action *action,
                                   void (*act)(struct ground *, const struct region *, int x, int y))
 {
-    struct region region = region_of(&ground->def, action);
+    struct canvas canvas = painting_canvas(&ground->def);
+    struct region region = region_of(&canvas, action);
     for (int y = region.cells.y0; y < region.cells.y1; y++) {
         for (int x = region.cells.x0; x < region.cells.x1; x++) {
             act(ground, &region, x, y);

@@ -103,15 +103,9 @@ static bool take_state(struct painting *painting)
     return take_halo(painting);
 }
 
-static bool is_legal(const struct painting_def *def)
-{
-    return def->width >= PAINTING_SIZE_MIN && def->width <= PAINTING_SIZE_MAX && def->height >= PAINTING_SIZE_MIN &&
-           def->height <= PAINTING_SIZE_MAX && def->margin >= 0 && def->margin <= PAINTING_MARGIN_MAX;
-}
-
 struct painting *painting_create(const struct painting_def *def)
 {
-    struct painting *painting = is_legal(def) ? calloc(1, sizeof *painting) : NULL;
+    struct painting *painting = canvas_is_legal(painting_canvas(def)) ? calloc(1, sizeof *painting) : NULL;
     if (!painting) {
         return NULL;
     }

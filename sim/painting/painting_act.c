@@ -1,10 +1,8 @@
 /* Actions: the ground changes (ground.h), then what the verb lays down (deposit.h) comes to the cells. */
 #include <string.h>
 
+#include "d2q9.h"
 #include "painting_state.h"
-
-static const float WEIGHTS[9] = {4.0f / 9,  1.0f / 9,  1.0f / 9,  1.0f / 9, 1.0f / 9,
-                                 1.0f / 36, 1.0f / 36, 1.0f / 36, 1.0f / 36};
 
 static float *field(const struct painting *painting, int number, int x, int y)
 {
@@ -22,7 +20,7 @@ static float add_liquid(const struct painting *painting, int first, int x, int y
     float density = 0.0f;
     for (int i = 0; i < 9; i++) {
         float *population = field(painting, first + i, x, y);
-        *population += WEIGHTS[i] * amount;
+        *population += d2q9_weights[i] * amount;
         density += *population;
     }
     return density;
@@ -63,7 +61,7 @@ static double take_liquid(const struct painting *painting, int first, int x, int
 
 static bool is_carved(const struct painting *painting, int x, int y)
 {
-    return *pattern(painting, PATTERN_ACTIVE, x, y) + *pattern(painting, PATTERN_CARVED, x, y) > DEPOSIT_CARVED;
+    return *pattern(painting, PATTERN_ACTIVE, x, y) + *pattern(painting, PATTERN_CARVED, x, y) > CARVED_DEPTH;
 }
 
 static void drop_cell(struct painting *painting, int x, int y, float cover, float seed)
@@ -103,7 +101,7 @@ static void pour_cell(struct painting *painting, int x, int y, float cover, floa
 {
     float *active = pattern(painting, PATTERN_ACTIVE, x, y), *carved = pattern(painting, PATTERN_CARVED, x, y);
     if (cover <= 0.0f) {
-        *active = *carved > DEPOSIT_CARVED && *active < seed ? seed : *active;
+        *active = *carved > CARVED_DEPTH && *active < seed ? seed : *active;
         return;
     }
     *active = *carved = 0.0f;

@@ -28,8 +28,8 @@ static void guide_cell(struct ground *ground, const struct region *region, int x
     float strength = region->action->strength, share = 1.0f;
     struct point v = {0.0f, 0.0f};
     if (region->kind == REGION_RASTER && region->raster->channels == 2) {
-        v.x = region_sample(region->def, region->raster, 0, x, y);
-        v.y = region_sample(region->def, region->raster, 1, x, y);
+        v.x = region_sample(&region->canvas, region->raster, 0, x, y);
+        v.y = region_sample(&region->canvas, region->raster, 1, x, y);
     } else if (region->kind == REGION_STROKE) {
         float distance = region_distance(region, x, y, &v) / region->radius;
         share = distance < 1.0f ? (1.0f - distance * distance) * (1.0f - distance * distance) : 0.0f;

@@ -27,7 +27,7 @@ static struct rectangle bounds(struct deposit *deposit)
 {
     struct action wider = deposit->action;
     wider.radius += RING_WIDTH;
-    return region_of(&deposit->ground->def, &wider).cells;
+    return region_of(&deposit->region.canvas, &wider).cells;
 }
 
 static float cover(struct deposit *deposit, int x, int y, float *seed)

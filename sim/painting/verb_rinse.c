@@ -20,8 +20,9 @@ static const struct key RINSE[] = {
 static struct rectangle rinse(struct ground *ground, const struct action *action)
 {
     struct rectangle changed = {ground->width, 0, ground->height, 0};
+    struct canvas canvas = painting_canvas(&ground->def);
     struct rinse water;
-    rinse_begin(&water, &ground->def, action);
+    rinse_begin(&water, &canvas, action);
     for (int y = water.over.y0; y < water.over.y1; y++) {
         for (int x = water.over.x0; x < water.over.x1; x++) {
             if (rinse_is_over(&water, x, y) && ground_fresh_cell(ground, x, y)) {
@@ -37,7 +38,7 @@ static struct rectangle rinse(struct ground *ground, const struct action *action
 
 static struct rectangle bounds(struct deposit *deposit)
 {
-    rinse_begin(&deposit->water, &deposit->ground->def, &deposit->action);
+    rinse_begin(&deposit->water, &deposit->region.canvas, &deposit->action);
     return deposit->water.cells;
 }
 

@@ -159,11 +159,11 @@ static void refuses_sizes_out_of_range(void **state)
 {
     (void)state;
     struct painting_def def = painting_default_def();
-    def.width = PAINTING_SIZE_MIN - 1;
+    def.width = CANVAS_SIZE_MIN - 1;
     assert_null(painting_create(&def));
-    def.width = PAINTING_SIZE_MAX + 1;
+    def.width = CANVAS_SIZE_MAX + 1;
     assert_null(painting_create(&def));
-    def.width = PAINTING_SIZE_MIN;
+    def.width = CANVAS_SIZE_MIN;
     def.margin = -1;
     assert_null(painting_create(&def));
     painting_destroy(NULL);

@@ -16,8 +16,8 @@
 #include "growth.h"
 #include "ink.h"
 #include "lsystem.h"
-#include "noise.h"
 #include "storm.h"
+#include "xi.h"
 
 static void check_table(const struct key *keys, size_t size)
 {
@@ -124,11 +124,11 @@ static void noise_has_the_moments_it_promises(void **state)
         enum { SIDE = 256 };
         for (int y = 0; y < SIDE; y++) {
             for (int x = 0; x < SIDE; x++) {
-                double xi = (double)noise_xi(x, y, 0.8f, (enum noise_kind)kind, 5) - 1;
+                double xi = (double)xi_of(x, y, 0.8f, (enum noise_kind)kind, 5) - 1;
                 assert_true(xi >= -1 && xi <= 2);
                 sum += xi;
                 squares += xi * xi;
-                beside += xi * ((double)noise_xi(x + 1, y, 0.8f, (enum noise_kind)kind, 5) - 1);
+                beside += xi * ((double)xi_of(x + 1, y, 0.8f, (enum noise_kind)kind, 5) - 1);
             }
         }
         double mean = sum / (SIDE * SIDE), deviation = sqrt(squares / (SIDE * SIDE) - mean * mean);
