@@ -112,6 +112,31 @@ static void look_first(struct gallery *gallery)
     pthread_mutex_unlock(&gallery->lock);
 }
 
+static uint8_t *to_bytes(const struct image *image)
+{
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    uint8_t *rgb = malloc(3 * pixels);
+    for (size_t i = 0; rgb && i < pixels; i++) {
+        const float *from = image->values + i * (size_t)image->channels;
+        for (int c = 0; c < 3; c++) {
+            rgb[3 * i + (size_t)c] = (uint8_t)(ink_encode(from[image->channels < 3 ? 0 : c]) * 255 + 0.5f);
+        }
+    }
+    return rgb;
+}
+
+/* Nothing where it cannot be read. */
+static void read_picture(const char *path, const char *helper, uint8_t **rgb, int *width, int *height)
+{
+    struct image_def def = image_default_def();
+    struct image image;
+    def.helper = helper;
+    *rgb = image_read(path, &def, &image, NULL) ? to_bytes(&image) : NULL;
+    *width = *rgb ? image.width : 0;
+    *height = *rgb ? image.height : 0;
+    image_finish(&image);
+}
+
 /* On the thread, without the lock. */
 static void show(struct gallery *gallery, const char *name)
 {
@@ -119,7 +144,7 @@ static void show(struct gallery *gallery, const char *name)
     uint8_t *rgb = NULL;
     int width = 0, height = 0;
     snprintf(path, sizeof path, "%s/%s", gallery->def.folder, name);
-    gallery_read(path, gallery->def.helper, &rgb, &width, &height, NULL);
+    read_picture(path, gallery->def.helper, &rgb, &width, &height);
     pthread_mutex_lock(&gallery->lock);
     free(gallery->got_rgb);
     gallery->got_rgb = rgb;
@@ -317,34 +342,4 @@ bool gallery_got(struct gallery *gallery, uint8_t **rgb, int *width, int *height
     }
     pthread_mutex_unlock(&gallery->lock);
     return got;
-}
-
-static uint8_t *to_bytes(const struct image *image)
-{
-    size_t pixels = (size_t)image->width * (size_t)image->height;
-    uint8_t *rgb = malloc(3 * pixels);
-    for (size_t i = 0; rgb && i < pixels; i++) {
-        const float *from = image->values + i * (size_t)image->channels;
-        for (int c = 0; c < 3; c++) {
-            rgb[3 * i + (size_t)c] = (uint8_t)(ink_encode(from[image->channels < 3 ? 0 : c]) * 255 + 0.5f);
-        }
-    }
-    return rgb;
-}
-
-bool gallery_read(const char *path, const char *helper, uint8_t **rgb, int *width, int *height,
-                  struct file_error *error)
-{
-    struct image_def def = image_default_def();
-    struct image image;
-    def.helper = helper;
-    bool good = image_read(path, &def, &image, error);
-    *rgb = good ? to_bytes(&image) : NULL;
-    if (good && !*rgb) {
-        good = file_fail_code(error, path, ENOMEM);
-    }
-    *width = good ? image.width : 0;
-    *height = good ? image.height : 0;
-    image_finish(&image);
-    return good;
 }

@@ -64,8 +64,5 @@ void gallery_want(struct gallery *gallery, const char *name);
 /* The picture that was wanted, once: *rgb as in gallery_picture, the caller's (free). NULL in *rgb when it could not be
  * read: it is gone, or broken. False: not yet, or none is wanted. */
 bool gallery_got(struct gallery *gallery, uint8_t **rgb, int *width, int *height);
-/* The same without the thread, and without a gallery; blocks. */
-bool gallery_read(const char *path, const char *helper, uint8_t **rgb, int *width, int *height,
-                  struct file_error *error);
 
 #endif

@@ -75,7 +75,8 @@ static bool is_lit(const struct lamps *lamps, int lamp)
     return button >= 0 && lamps->pressed[button];
 }
 
-float lamps_level(const struct lamps *lamps, int lamp, uint64_t now_us)
+/* 0..1 at this time. */
+static float level_at(const struct lamps *lamps, int lamp, uint64_t now_us)
 {
     if (is_lit(lamps, lamp)) {
         return 1;
@@ -90,7 +91,7 @@ float lamps_level(const struct lamps *lamps, int lamp, uint64_t now_us)
 bool lamps_next(struct lamps *lamps, uint64_t now_us, int *lamp, float *level)
 {
     for (int i = 0; i < lamps->inputs->lamp_count + lamps->inputs->light_count; i++) {
-        float wanted = lamps_level(lamps, i, now_us);
+        float wanted = level_at(lamps, i, now_us);
         bool end = (wanted <= 0 || wanted >= 1) && fabsf(wanted - lamps->said[i]) > 0;
         if (end || fabsf(wanted - lamps->said[i]) >= STEP) {
             lamps->said[i] = wanted;

@@ -27,8 +27,6 @@ struct lamps { /* inputs set, all else zero */
 void lamps_introduce(struct lamps *lamps, enum event_source source, const struct device *device);
 
 void lamps_feel(struct lamps *lamps, const struct event *event);
-/* 0..1 at this time. */
-float lamps_level(const struct lamps *lamps, int lamp, uint64_t now_us);
 /* The next lamp that wants another level than it has; false when there is none. To be called until it says so. */
 bool lamps_next(struct lamps *lamps, uint64_t now_us, int *lamp, float *level);
 

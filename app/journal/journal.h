@@ -10,7 +10,7 @@
  *     journal_begin(&writer, &head);
  *     journal_sheet(&writer, 0, &sheet);
  *     journal_action(&writer, ticked, &action);
- *     ... writer.out holds the bytes, to be appended to a file and taken away (journal_taken) ...
+ *     ... writer.out holds the bytes, to be appended to a file ...
  *
  *     struct journal_reader reader;
  *     if (journal_open(&reader, data, size, &error)) {
@@ -107,8 +107,6 @@ void journal_mark(struct journal_writer *writer, int64_t ticked);
 /* `lost`: ticks that were painted before and are not in the painting. */
 void journal_restored(struct journal_writer *writer, int64_t ticked, int64_t lost);
 void journal_end(struct journal_writer *writer, int64_t ticked);
-/* The first `size` bytes of `out` are safe elsewhere. */
-void journal_taken(struct journal_writer *writer, size_t size);
 void journal_finish(struct journal_writer *writer);
 
 struct journal_record {

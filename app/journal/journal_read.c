@@ -86,7 +86,7 @@ static float within(const struct key *key, float value)
     return value < (float)key->min ? (float)key->min : value > (float)key->max ? (float)key->max : value;
 }
 
-void journal_read_scalar(struct cursor *body, const struct key *key, void *object)
+static void read_scalar(struct cursor *body, const struct key *key, void *object)
 {
     char *at = (char *)object + key->offset, name[BYTES_TEXT];
     int value;
@@ -116,7 +116,8 @@ void journal_read_scalar(struct cursor *body, const struct key *key, void *objec
     }
 }
 
-void journal_read_coefficients(struct cursor *body, struct coefficients *coefficients, int *skipped)
+/* A number, whole number, flag or name into the field of `key` in `object`, brought into its range. */
+static void read_coefficients(struct cursor *body, struct coefficients *coefficients, int *skipped)
 {
     char name[BYTES_TEXT];
     int count = cursor_count(body, 255);
@@ -128,7 +129,7 @@ void journal_read_coefficients(struct cursor *body, struct coefficients *coeffic
         if (type <= JOURNAL_NONE || type >= JOURNAL_TYPES) {
             body->failed = true;
         } else if (key && (int)journal_type_of(key->type) == type) {
-            journal_read_scalar(body, key, coefficients);
+            read_scalar(body, key, coefficients);
         } else {
             skip_value(body, type);
             ++*skipped;
@@ -136,7 +137,8 @@ void journal_read_coefficients(struct cursor *body, struct coefficients *coeffic
     }
 }
 
-bool journal_read_size(struct cursor *body, int *width, int *height, int *margin)
+/* Width, height and margin of a sheet; false: there is no such sheet. */
+static bool read_size(struct cursor *body, int *width, int *height, int *margin)
 {
     *width = cursor_count(body, PAINTING_SIZE_MAX);
     *height = cursor_count(body, PAINTING_SIZE_MAX);
@@ -159,7 +161,7 @@ bool journal_read_sheet(struct cursor *body, struct journal_sheet *sheet, int *s
 {
     char name[BYTES_TEXT];
     *sheet = (struct journal_sheet){.def = painting_default_def()};
-    if (!journal_read_size(body, &sheet->def.width, &sheet->def.height, &sheet->def.margin)) {
+    if (!read_size(body, &sheet->def.width, &sheet->def.height, &sheet->def.margin)) {
         return false;
     }
     sheet->def.seed = cursor_u32(body);
@@ -176,7 +178,7 @@ bool journal_read_sheet(struct cursor *body, struct journal_sheet *sheet, int *s
         *skipped += ink == INK_NONE;
     }
     cursor_text(body, sheet->scene);
-    journal_read_coefficients(body, &sheet->def.coefficients, skipped);
+    read_coefficients(body, &sheet->def.coefficients, skipped);
     return read_history(body, &sheet->history) && !body->failed;
 }
 
@@ -288,7 +290,7 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
         store(action, key, &raster, sizeof raster);
         return true;
     default:
-        journal_read_scalar(body, key, action);
+        read_scalar(body, key, action);
         return true;
     }
 }
@@ -329,7 +331,7 @@ static bool read_body(struct journal_reader *reader, struct cursor *body, struct
         good = journal_read_sheet(body, &record->sheet, &reader->skipped);
         break;
     case JOURNAL_GRID:
-        good = journal_read_size(body, &record->grid.width, &record->grid.height, &record->grid.margin);
+        good = read_size(body, &record->grid.width, &record->grid.height, &record->grid.margin);
         break;
     case JOURNAL_RASTER:
         journal_read_raster(reader, body);

@@ -18,11 +18,6 @@ struct journal_verb {
 bool journal_torn(struct journal_reader *reader, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* The body of a raster. */
 void journal_read_raster(struct journal_reader *reader, struct cursor *body);
-/* A number, whole number, flag or name into the field of `key` in `object`, brought into its range. */
-void journal_read_scalar(struct cursor *body, const struct key *key, void *object);
-void journal_read_coefficients(struct cursor *body, struct coefficients *coefficients, int *skipped);
-/* Width, height and margin of a sheet; false: there is no such sheet. */
-bool journal_read_size(struct cursor *body, int *width, int *height, int *margin);
 /* The body of a sheet or a scene. */
 bool journal_read_sheet(struct cursor *body, struct journal_sheet *sheet, int *skipped);
 

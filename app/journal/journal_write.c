@@ -324,12 +324,6 @@ void journal_action(struct journal_writer *writer, int64_t ticked, const struct 
     close_record(writer);
 }
 
-void journal_taken(struct journal_writer *writer, size_t size)
-{
-    memmove(writer->out.data, writer->out.data + size, writer->out.size - size);
-    writer->out.size -= size;
-}
-
 struct journal_place journal_place_of(const struct journal_reader *reader)
 {
     return (struct journal_place){reader->good, reader->records, reader->crc, reader->ticked, reader->raster_count};

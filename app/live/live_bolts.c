@@ -37,7 +37,8 @@ static bool set(struct live_bolts *bolts, bool fresh, struct shader_error *error
     int has = bolt_light_gpu_count(bolts->now), first = made || !bolts->shown ? 0 : fresh ? bolts->newest->since : has;
     first = first < has ? first : has;
     first = first < view->count ? first : view->count;
-    bolts->shown = bolt_light_gpu_set(bolts->now, view->segments + first, first, view->count - first);
+    const struct bolt_segment *from = view->count > first ? view->segments + first : NULL; /* a sky may have none */
+    bolts->shown = bolt_light_gpu_set(bolts->now, from, first, view->count - first);
     bolt_light_gpu_cut(bolts->now, view->count);
     return true;
 }

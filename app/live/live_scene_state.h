@@ -109,9 +109,6 @@ struct live_scene {
     struct live_store stores[LIVE_VIEWS];
 };
 
-/* Another scene, on which nothing is, from this tick on, or none; with the lock. */
-void live_scene_begin(struct live_scene *live, enum scene_kind kind, const char *id, int64_t tick, int width,
-                      int height);
 /* Of this script; with the lock. */
 void live_scene_note(struct live_scene *live, const struct script *script, enum scene_kind kind, const char *id);
 /* No water runs, or has; with the lock. */

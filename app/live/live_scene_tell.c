@@ -35,8 +35,9 @@ void live_scene_dry(struct live_scene *live)
     memset(live->water, 0, sizeof live->water);
 }
 
-void live_scene_begin(struct live_scene *live, enum scene_kind kind, const char *id, int64_t tick, int width,
-                      int height)
+/* Another scene, on which nothing is, from this tick on, or none; with the lock. */
+static void begin_scene(struct live_scene *live, enum scene_kind kind, const char *id, int64_t tick, int width,
+                        int height)
 {
     enum scene_kind before = live->sheet.kind;
     live->sheet.kind = kind;
@@ -71,7 +72,7 @@ static void change(struct live_scene *live, const struct studio_event *event)
     if (script.kind == live->sheet.kind && strcmp(script.id, live->id) == 0) {
         resize(live, event->def.width, event->def.height);
     } else {
-        live_scene_begin(live, script.kind, script.id, event->ticked, event->def.width, event->def.height);
+        begin_scene(live, script.kind, script.id, event->ticked, event->def.width, event->def.height);
     }
 }
 
@@ -157,7 +158,7 @@ static void take(struct live_scene *live, const struct studio_event *event)
     switch (event->kind) {
     case STUDIO_SHEET:
         script = told_of(live, event->script);
-        live_scene_begin(live, script.kind, script.id, event->ticked, event->def.width, event->def.height);
+        begin_scene(live, script.kind, script.id, event->ticked, event->def.width, event->def.height);
         break;
     case STUDIO_SCENE:
         change(live, event);
@@ -200,7 +201,7 @@ static void read_journal(struct live_scene *live, enum scene_kind kind, struct j
         pass(live, record.ticked);
         if (record.kind == JOURNAL_SHEET || (record.kind == JOURNAL_SCENE && !same)) {
             memcpy(id, record.sheet.scene, sizeof id);
-            live_scene_begin(live, kind, id, record.ticked, record.sheet.def.width, record.sheet.def.height);
+            begin_scene(live, kind, id, record.ticked, record.sheet.def.width, record.sheet.def.height);
         } else if (same) {
             resize(live, record.sheet.def.width, record.sheet.def.height);
         } else if (record.kind == JOURNAL_GRID) {
@@ -219,7 +220,7 @@ bool live_scene_resume(struct live_scene *live, const struct script *script, enu
     struct journal_error error;
     pthread_mutex_lock(&live->lock);
     live_scene_note(live, script, kind, id);
-    live_scene_begin(live, kind, id, 0, script->width, script->height);
+    begin_scene(live, kind, id, 0, script->width, script->height);
     bool good = journal && journal_open(&reader, journal, size, &error);
     if (good) {
         read_journal(live, kind, &reader);

@@ -40,7 +40,8 @@ void outcome_finish(struct outcome *outcome)
     *outcome = (struct outcome){.width = 0};
 }
 
-bool outcome_of_painting(struct outcome *outcome, const float *thickness, const float *solvent, int width, int height)
+/* Of a painting: the sum of its inks (optical thickness) and its solvent, width * height values of each. */
+static bool of_painting(struct outcome *outcome, const float *thickness, const float *solvent, int width, int height)
 {
     size_t cells = (size_t)width * (size_t)height;
     if (!open_fields(outcome, width, height)) {
@@ -124,7 +125,7 @@ bool outcome_take(struct outcome *outcome, struct engine *engine, struct plot *p
     }
     if (good) {
         engine->ops->read(engine, PAINTING_SOLVENT, spare);
-        good = outcome_of_painting(outcome, thickness, spare, def.width, def.height);
+        good = of_painting(outcome, thickness, spare, def.width, def.height);
     }
     for (int kind = 0; kind < SCENE_KINDS && plot && good; kind++) {
         void *scene = plot_scene(plot, (enum scene_kind)kind);

@@ -24,8 +24,6 @@ bool outcome_grow(struct outcome *outcome, const struct script *script, int64_t 
                   const atomic_bool *stop, struct file_error *error);
 /* The same of something that is running: an engine, and scenes beside it (may be NULL), as they are now. */
 bool outcome_take(struct outcome *outcome, struct engine *engine, struct plot *plot, int ink_count);
-/* Of a painting: the sum of its inks (optical thickness) and its solvent, width * height values of each. */
-bool outcome_of_painting(struct outcome *outcome, const float *thickness, const float *solvent, int width, int height);
 /* Of a scene beside a painting, over width * height cells. */
 bool outcome_of_scene(struct outcome *outcome, const struct scene_type *type, void *scene, int width, int height);
 void outcome_finish(struct outcome *outcome); /* a zeroed one may be */

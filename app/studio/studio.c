@@ -12,6 +12,21 @@ struct studio_def studio_default_def(void)
         .engine = ENGINE_CPU, .ticks_per_second = STUDIO_TICKS_PER_SECOND, .history = history_default_def()};
 }
 
+/* Ends the thread, if there is one. */
+static void stop_thread(struct studio *studio)
+{
+    if (!studio->context) {
+        return;
+    }
+    pthread_mutex_lock(&studio->lock);
+    studio->stop = true;
+    pthread_cond_broadcast(&studio->changed);
+    pthread_mutex_unlock(&studio->lock);
+    pthread_join(studio->thread, NULL);
+    display_context_destroy(studio->context);
+    studio->context = NULL;
+}
+
 /* Starts the thread and waits until it has its engine, or has not. */
 static bool start(struct studio *studio, struct display *display, struct studio_error *error)
 {
@@ -36,23 +51,9 @@ static bool start(struct studio *studio, struct display *display, struct studio_
     pthread_mutex_unlock(&studio->lock);
     if (!good) {
         *error = studio->error;
-        studio_stop(studio);
+        stop_thread(studio);
     }
     return good;
-}
-
-void studio_stop(struct studio *studio)
-{
-    if (!studio->context) {
-        return;
-    }
-    pthread_mutex_lock(&studio->lock);
-    studio->stop = true;
-    pthread_cond_broadcast(&studio->changed);
-    pthread_mutex_unlock(&studio->lock);
-    pthread_join(studio->thread, NULL);
-    display_context_destroy(studio->context);
-    studio->context = NULL;
 }
 
 struct studio *studio_create(const struct studio_def *def, struct display *display, struct studio_error *error)
@@ -90,7 +91,7 @@ void studio_destroy(struct studio *studio)
     if (!studio) {
         return;
     }
-    studio_stop(studio);
+    stop_thread(studio);
     engine_destroy(studio->kept);
     publisher_destroy(studio->publisher, false);
     checkpoint_finish(&studio->whole);
@@ -194,7 +195,7 @@ struct studio_report studio_report(struct studio *studio)
 void studio_suspend(struct studio *studio)
 {
     studio->lost = true;
-    studio_stop(studio);
+    stop_thread(studio);
     publisher_destroy(studio->publisher, true);
     studio->publisher = NULL;
 }

@@ -13,7 +13,8 @@ static int scaled(int cells, float scale, int least)
     return count > least ? count : least;
 }
 
-struct painting_def studio_painting(const struct studio *studio, float scale)
+/* The painting of the script on a grid of this share of its cells. */
+static struct painting_def painting_at(const struct studio *studio, float scale)
 {
     struct painting_def def = script_painting(studio->script);
     def.width = scaled(def.width, scale, PAINTING_SIZE_MIN);
@@ -77,7 +78,7 @@ bool studio_begin_session(struct studio *studio)
     studio->report.sessions++;
     studio->report.ticks = 0; /* of the new one, for whoever asks meanwhile */
     pthread_mutex_unlock(&studio->lock);
-    struct painting_def def = studio_painting(studio, studio->report.scale);
+    struct painting_def def = painting_at(studio, studio->report.scale);
     struct engine *next = studio_make_engine(studio, &def);
     if (!next || !fit(studio, &def)) {
         engine_destroy(next);
@@ -162,7 +163,7 @@ static bool carry_over(struct studio *studio, const struct painting_def *def)
 
 void studio_change_scale(struct studio *studio, float scale)
 {
-    struct painting_def def = studio_painting(studio, scale);
+    struct painting_def def = painting_at(studio, scale);
     def.seed = studio->engine->ops->get_def(studio->engine).seed;
     bool good = carry_over(studio, &def);
     if (good) {
@@ -213,7 +214,7 @@ void studio_take_script(struct studio *studio, const struct script *script)
     pthread_mutex_lock(&studio->lock);
     studio->script = script;
     pthread_mutex_unlock(&studio->lock);
-    struct painting_def def = studio_painting(studio, studio->report.scale);
+    struct painting_def def = painting_at(studio, studio->report.scale);
     if (carry_over(studio, &def)) {
         studio_tell(studio, STUDIO_SCENE);
     } else {

@@ -4,8 +4,6 @@
 
 #include "studio_work.h"
 
-/* The painting of the script on a grid of this share of its cells. */
-struct painting_def studio_painting(const struct studio *studio, float scale);
 /* The engine that the studio was told to have, or NULL; then `studio->error` says why. */
 struct engine *studio_make_engine(struct studio *studio, const struct painting_def *def);
 /* A fresh sheet with a seed of its own, at the script's first tick. False when none can be had: the old one stays. */

@@ -70,7 +70,5 @@ struct studio {
 
 /* The thread: takes the studio. */
 void *studio_work(void *context);
-/* Ends the thread, if there is one. */
-void studio_stop(struct studio *studio);
 
 #endif

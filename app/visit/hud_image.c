@@ -8,6 +8,12 @@
 #include "hud_layout.h"
 #include "ink.h"
 
+static int ink_of(const struct hud *hud, int number)
+{
+    const struct exhibit *exhibit = hud->def.exhibit;
+    return number >= 0 && number < hud_inks(hud) ? exhibit->scenes[hud->def.scene].script->inks[number] : INK_NONE;
+}
+
 void hud_image_finish(struct hud_image *image)
 {
     free(image->rgba);
@@ -22,7 +28,7 @@ uint64_t hud_key(const struct hud *hud, enum hud_piece piece)
     key = pen_hash(key, &hud->mm, sizeof hud->mm);
     for (int i = 0; i < PAINTING_INKS; i++) {
         struct pen_colour colour = hud_ink_colour(hud, i, 1);
-        key = pen_hash(pen_hash_int(key, hud_ink(hud, i)), &colour, sizeof colour);
+        key = pen_hash(pen_hash_int(key, ink_of(hud, i)), &colour, sizeof colour);
     }
     return pen_hash_text(key, hud_tag(hud->language));
 }
@@ -57,15 +63,9 @@ double hud_unit(const struct hud *hud)
     return mm * fmin(fmax(share, 0.5), 1.5);
 }
 
-int hud_ink(const struct hud *hud, int number)
-{
-    const struct exhibit *exhibit = hud->def.exhibit;
-    return number >= 0 && number < hud_inks(hud) ? exhibit->scenes[hud->def.scene].script->inks[number] : INK_NONE;
-}
-
 struct pen_colour hud_ink_colour(const struct hud *hud, int number, double thickness)
 {
-    int ink = hud_ink(hud, number);
+    int ink = ink_of(hud, number);
     if (ink == INK_NONE) {
         return pen_dark;
     }

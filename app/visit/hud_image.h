@@ -28,9 +28,7 @@ bool hud_image_end(struct hud_image *image, uint64_t key, int x, int y, struct p
 
 /* What scales with the screen: pixels of a mm on one of 420x250 mm, never less than half, never more than 1.5. */
 double hud_unit(const struct hud *hud);
-/* The inks of the scene as of ink.h; INK_NONE beyond them. What one looks like at a thickness, as the scene mixes; dark
- * beyond them. */
-int hud_ink(const struct hud *hud, int number);
+/* What an ink of the scene looks like at a thickness, as the scene mixes; dark beyond them. */
 struct pen_colour hud_ink_colour(const struct hud *hud, int number, double thickness);
 /* A text of the exhibit in the language, and the language's tag. */
 const char *hud_text(const struct hud *hud, enum exhibit_text text);

@@ -26,7 +26,7 @@ static void lay_hud(struct kiosk *kiosk)
 
 /* Whatever follows from exhibit and size. What is half done with a switch or by the staff is forgotten: not for less.
  */
-void kiosk_layout(struct kiosk *kiosk)
+static void lay_out(struct kiosk *kiosk)
 {
     int width = kiosk->def.width, height = kiosk->def.height, longer = width > height ? width : height;
     lay_hud(kiosk);
@@ -58,7 +58,7 @@ struct kiosk *kiosk_create(const struct kiosk_def *def, uint64_t now_us)
         visit_init(&kiosk->visit, kiosk->exhibit, now_us);
     }
     kiosk->options = kiosk_scene(kiosk)->options;
-    kiosk_layout(kiosk);
+    lay_out(kiosk);
     hud_reset(&kiosk->hud);
     return kiosk;
 }
@@ -435,7 +435,7 @@ struct exhibit *kiosk_exhibit(struct kiosk *kiosk, struct exhibit *exhibit, uint
     }
     kiosk->time = 0;
     kiosk->controls = NULL;
-    kiosk_layout(kiosk);
+    lay_out(kiosk);
     visit_reload(&kiosk->visit, exhibit, now_us);
     kiosk->def.stage.change(kiosk->def.stage.context, kiosk_scene(kiosk)->script);
     kiosk_obey(kiosk, now_us);
@@ -471,13 +471,6 @@ void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint
     image->height = height;
     image->key = ++kiosk->slides;
     kiosk->slide_us = now_us;
-}
-
-void kiosk_resize(struct kiosk *kiosk, int width, int height)
-{
-    kiosk->def.width = width;
-    kiosk->def.height = height;
-    kiosk_layout(kiosk);
 }
 
 const struct exhibit *kiosk_shows(const struct kiosk *kiosk)

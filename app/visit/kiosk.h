@@ -97,8 +97,6 @@ bool kiosk_wants_slide(struct kiosk *kiosk);
 /* Shows it for as long as the exhibit says, unless somebody comes: RGBA, multiplied by alpha, from malloc, taken over.
  */
 void kiosk_slide(struct kiosk *kiosk, uint8_t *rgba, int width, int height, uint64_t now_us);
-/* The sheet has another size. */
-void kiosk_resize(struct kiosk *kiosk, int width, int height);
 
 /* The scene of this id is shown as soon as nobody paints. False: the exhibit has none. */
 bool kiosk_want_scene(struct kiosk *kiosk, const char *id);

@@ -29,7 +29,8 @@ static bool axis_moved(struct kiosk *kiosk, const struct event *event)
     return false;
 }
 
-bool kiosk_is_input(struct kiosk *kiosk, const struct event *event)
+/* Whether an event is something that somebody did. */
+static bool is_input(struct kiosk *kiosk, const struct event *event)
 {
     switch (event->kind) {
     case EVENT_DOWN:
@@ -63,7 +64,7 @@ static bool is_end(const struct event *event)
 /* The room is closed: a touch wakes the screen where the exhibit says so, and does nothing else. */
 static void feel_dark(struct kiosk *kiosk, const struct event *event, uint64_t now_us)
 {
-    bool begins = event->kind == EVENT_DOWN || (event->kind == EVENT_CONTROL && kiosk_is_input(kiosk, event));
+    bool begins = event->kind == EVENT_DOWN || (event->kind == EVENT_CONTROL && is_input(kiosk, event));
     if (begins && kiosk->exhibit->wake > 0) {
         swallow_begin(&kiosk->swallow);
         visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
@@ -150,57 +151,6 @@ void kiosk_let_all_go(struct kiosk *kiosk)
     }
 }
 
-bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
-{
-    struct hud_press press;
-    bool pressed = false;
-    if (is_finger(event)) {
-        staff_feel(&kiosk->staff, event);
-    }
-    if (kiosk->dark) {
-        feel_dark(kiosk, event, now_us);
-        return let_go(kiosk, event);
-    }
-    if (!swallow_pass(&kiosk->swallow, event)) {
-        return let_go(kiosk, event);
-    }
-    bool palette = is_finger(event) && hud_feel(&kiosk->hud, event, &press, &pressed);
-    if (kiosk_is_input(kiosk, event)) {
-        visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
-        kiosk_obey(kiosk, now_us); /* a first touch is for a fresh sheet: that comes before its drop */
-    } else if (is_finger(event)) {
-        visit_feel(&kiosk->visit, VISIT_HOLD, now_us);
-    }
-    if (!is_finger(event)) {
-        return true;
-    }
-    if (pressed) {
-        kiosk_press(kiosk, &press, now_us);
-    }
-    if (palette) {
-        return false;
-    }
-    access_reach(&kiosk->access, event);
-    follow_hand(kiosk, event);
-    follow_dwelling(kiosk, event, now_us);
-    return true;
-}
-
-bool kiosk_act(struct kiosk *kiosk, const struct action *action, uint64_t event_us, uint64_t now_us)
-{
-    if (!scene_takes(kiosk_kind(kiosk), action->verb)) {
-        return true;
-    }
-    kiosk_leave_touched(kiosk, now_us);
-    visit_feel(&kiosk->visit, VISIT_PAINT, now_us);
-    kiosk_obey(kiosk, now_us);
-    if (!visit_paints(&kiosk->visit)) {
-        return true;
-    }
-    kiosk_take_option(kiosk, action, now_us);
-    return kiosk_post(kiosk, action, event_us);
-}
-
 static void post_verb(struct kiosk *kiosk, enum action_verb verb, int visitor, uint64_t time_us)
 {
     struct action action = action_default(verb);
@@ -210,17 +160,7 @@ static void post_verb(struct kiosk *kiosk, enum action_verb verb, int visitor, u
     }
 }
 
-/* What is chosen on a palette, for the controls. */
-void kiosk_choose(struct kiosk *kiosk, int seat)
-{
-    const struct hud_panel *panel = &kiosk->hud.panels[seat];
-    if (kiosk->controls) {
-        controls_set_tool(kiosk->controls, seat, (enum exhibit_tool)panel->tool);
-        controls_set_ink(kiosk->controls, seat, panel->any_ink ? -1 : panel->ink);
-    }
-}
-
-void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t now_us)
+static void press_piece(struct kiosk *kiosk, const struct hud_press *press, uint64_t now_us)
 {
     switch (press->kind) {
     case HUD_INK:
@@ -253,6 +193,67 @@ void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t no
         break;
     default:
         break;
+    }
+}
+
+bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
+{
+    struct hud_press press;
+    bool pressed = false;
+    if (is_finger(event)) {
+        staff_feel(&kiosk->staff, event);
+    }
+    if (kiosk->dark) {
+        feel_dark(kiosk, event, now_us);
+        return let_go(kiosk, event);
+    }
+    if (!swallow_pass(&kiosk->swallow, event)) {
+        return let_go(kiosk, event);
+    }
+    bool palette = is_finger(event) && hud_feel(&kiosk->hud, event, &press, &pressed);
+    if (is_input(kiosk, event)) {
+        visit_feel(&kiosk->visit, VISIT_INPUT, now_us);
+        kiosk_obey(kiosk, now_us); /* a first touch is for a fresh sheet: that comes before its drop */
+    } else if (is_finger(event)) {
+        visit_feel(&kiosk->visit, VISIT_HOLD, now_us);
+    }
+    if (!is_finger(event)) {
+        return true;
+    }
+    if (pressed) {
+        press_piece(kiosk, &press, now_us);
+    }
+    if (palette) {
+        return false;
+    }
+    access_reach(&kiosk->access, event);
+    follow_hand(kiosk, event);
+    follow_dwelling(kiosk, event, now_us);
+    return true;
+}
+
+bool kiosk_act(struct kiosk *kiosk, const struct action *action, uint64_t event_us, uint64_t now_us)
+{
+    if (!scene_takes(kiosk_kind(kiosk), action->verb)) {
+        return true;
+    }
+    kiosk_leave_touched(kiosk, now_us);
+    visit_feel(&kiosk->visit, VISIT_PAINT, now_us);
+    kiosk_obey(kiosk, now_us);
+    if (!visit_paints(&kiosk->visit)) {
+        return true;
+    }
+    kiosk_take_option(kiosk, action, now_us);
+    return kiosk_post(kiosk, action, event_us);
+}
+
+/* What is chosen on a palette, for the controls. */
+void kiosk_choose(struct kiosk *kiosk, int seat)
+{
+    const struct hud_panel *panel = &kiosk->hud.panels[seat];
+    if (kiosk->controls) {
+        controls_set_tool(kiosk->controls, seat, (enum exhibit_tool)panel->tool);
+        controls_set_ink(kiosk->controls, seat, panel->any_ink ? -1 : panel->ink);
     }
 }
 
@@ -360,7 +361,7 @@ void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us)
         } else if (result.button >= 0 && result.button < buttons_of(kiosk)) {
             struct hud_press press;
             if (hud_press(&kiosk->hud, 0, result.button, now_us, &press)) {
-                kiosk_press(kiosk, &press, now_us);
+                press_piece(kiosk, &press, now_us);
             }
         }
     }

@@ -88,10 +88,7 @@ struct kiosk {
 };
 
 /* kiosk_feel.c */
-void kiosk_press(struct kiosk *kiosk, const struct hud_press *press, uint64_t now_us);
 void kiosk_run_access(struct kiosk *kiosk, uint64_t now_us);
-/* Whether an event is something that somebody did. */
-bool kiosk_is_input(struct kiosk *kiosk, const struct event *event);
 
 /* Tells the controls what is chosen on a palette. */
 void kiosk_choose(struct kiosk *kiosk, int seat);
@@ -145,7 +142,6 @@ void kiosk_leave_touched(struct kiosk *kiosk, uint64_t now_us);
 void kiosk_begin_wash(struct kiosk *kiosk, uint64_t now_us);
 /* The sheet is washed, or covered: what comes then. */
 void kiosk_gone(struct kiosk *kiosk, uint64_t now_us);
-void kiosk_layout(struct kiosk *kiosk);
 /* An action of a visitor. */
 bool kiosk_post(struct kiosk *kiosk, const struct action *action, uint64_t event_us);
 /* Does what the visit orders. */

@@ -139,23 +139,8 @@ static bool decode(const char *path, int file, const char *format, const struct 
     return read;
 }
 
-bool image_read(const char *path, const struct image_def *def, struct image *image, struct file_error *error)
-{
-    struct image_def own = within_range(def);
-    memset(image, 0, sizeof *image);
-    const char *format = NULL;
-    int file = open_picture(path, &format, error);
-    bool read = file >= 0 && decode(path, file, format, &own, image, error);
-    if (file >= 0) {
-        close(file);
-    }
-    if (!read) {
-        image_placeholder(image);
-    }
-    return read;
-}
-
-void image_placeholder(struct image *image)
+/* A calm grey checker with three channels, to stand for a picture that could not be read. */
+static void fill_placeholder(struct image *image)
 {
     enum { SIZE = IMAGE_PLACEHOLDER_SIZE, CHANNELS = 3 };
     memset(image, 0, sizeof *image);
@@ -178,6 +163,22 @@ void image_placeholder(struct image *image)
             }
         }
     }
+}
+
+bool image_read(const char *path, const struct image_def *def, struct image *image, struct file_error *error)
+{
+    struct image_def own = within_range(def);
+    memset(image, 0, sizeof *image);
+    const char *format = NULL;
+    int file = open_picture(path, &format, error);
+    bool read = file >= 0 && decode(path, file, format, &own, image, error);
+    if (file >= 0) {
+        close(file);
+    }
+    if (!read) {
+        fill_placeholder(image);
+    }
+    return read;
 }
 
 int image_channel(const struct image *image, const char *name)

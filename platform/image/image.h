@@ -58,8 +58,6 @@ struct image {
 /* Reads a picture. `def` NULL: the defaults. On failure returns false, says why in `error` (may be NULL) and makes
  * `image` the placeholder. Finish it in any case. */
 bool image_read(const char *path, const struct image_def *def, struct image *image, struct file_error *error);
-/* A calm grey checker with three channels, to stand for a picture that could not be read. */
-void image_placeholder(struct image *image);
 /* The number of the channel of that name, or -1. EXR files keep channels in the order of the alphabet. */
 int image_channel(const struct image *image, const char *name);
 /* Frees what the picture owns. Takes NULL and zeroed. */

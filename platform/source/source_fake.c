@@ -315,11 +315,6 @@ void source_fake_post(struct source *source, int device, const struct event *eve
     }
 }
 
-void source_fake_note(struct source *source, const char *line)
-{
-    source_note(&fake_of(source)->queue, "%s", line);
-}
-
 float source_fake_lamp(const struct source *source, int lamp)
 {
     const struct source_fake *fake = const_fake_of(source);

@@ -42,7 +42,6 @@ void source_fake_arrive(struct source *source, int device);
 void source_fake_leave(struct source *source, int device);
 /* Happens now; an event that has a time keeps it. */
 void source_fake_post(struct source *source, int device, const struct event *event);
-void source_fake_note(struct source *source, const char *line); /* a line for the log */
 
 float source_fake_lamp(const struct source *source, int lamp); /* the level it was last given; 0 at first */
 int source_fake_lamp_orders(const struct source *source);      /* how often any was given one */

@@ -182,8 +182,6 @@ void gpu_steps_grow(struct painting_gpu *gpu);
 void gpu_steps_touch(struct painting_gpu *gpu, struct rectangle cells);
 /* Sets bits of the tiles that these cells touch, clipped to the sheet: BIT_WET after liquid was added. */
 void gpu_steps_mark(struct painting_gpu *gpu, struct rectangle cells, unsigned bits);
-/* As painting_stir: the painting is no longer quiet. */
-void gpu_steps_stir(struct painting_gpu *gpu);
 /* Reads back: of the last tick. */
 struct painting_effort gpu_steps_effort(const struct painting_gpu *gpu);
 

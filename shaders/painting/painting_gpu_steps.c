@@ -278,7 +278,8 @@ void gpu_steps_mark(struct painting_gpu *gpu, struct rectangle cells, unsigned b
     mark(gpu, cells, bits, false);
 }
 
-void gpu_steps_stir(struct painting_gpu *gpu)
+/* As painting_stir: the painting is no longer quiet. */
+static void stir_up(struct painting_gpu *gpu)
 {
     use(gpu, PROGRAM_STIR);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_TILES, gpu->tiles);
@@ -289,7 +290,7 @@ void gpu_steps_stir(struct painting_gpu *gpu)
 void gpu_steps_touch(struct painting_gpu *gpu, struct rectangle cells)
 {
     mark(gpu, cells, BIT_FLOWS | BIT_OPENED | BIT_GROWS | BIT_FED | BIT_CARVED | BIT_DAMP | BIT_CHANGED, true);
-    gpu_steps_stir(gpu);
+    stir_up(gpu);
 }
 
 struct painting_effort gpu_steps_effort(const struct painting_gpu *gpu)

@@ -16,12 +16,12 @@ static int cells(int side, float scale)
     return count < 4 ? 4 : count > GRAY_SCOTT_SIZE_MAX ? GRAY_SCOTT_SIZE_MAX : count;
 }
 
-int dish_cells_x(const struct dish *dish)
+static int cells_x(const struct dish *dish)
 {
     return cells(dish->width, dish->def.scale);
 }
 
-int dish_cells_y(const struct dish *dish)
+static int cells_y(const struct dish *dish)
 {
     return cells(dish->height, dish->def.scale);
 }
@@ -36,7 +36,7 @@ struct dish *dish_create(int width, int height)
     dish->width = width;
     dish->height = height;
     dish->fresh = true;
-    dish->chemistry = gray_scott_create(dish_cells_x(dish), dish_cells_y(dish), &dish->def.reaction, 1, VECTORS_BEST);
+    dish->chemistry = gray_scott_create(cells_x(dish), cells_y(dish), &dish->def.reaction, 1, VECTORS_BEST);
     dish->seen = dish->chemistry ? calloc(dish_cells(dish), sizeof *dish->seen) : NULL;
     if (!dish->seen) {
         dish_destroy(dish);
@@ -57,11 +57,6 @@ void dish_destroy(struct dish *dish)
         free(dish->before);
         free(dish);
     }
-}
-
-struct dish_def dish_get_def(const struct dish *dish)
-{
-    return dish->def;
 }
 
 const struct gray_scott *dish_chemistry(const struct dish *dish)
@@ -100,10 +95,11 @@ static float *refitted(const float *values, int channels, int columns, int rows,
     return other;
 }
 
-void dish_regrid(struct dish *dish)
+/* The chemistry on the grid that sheet and scale ask for. */
+static void regrid(struct dish *dish)
 {
     int columns = gray_scott_width(dish->chemistry), rows = gray_scott_height(dish->chemistry);
-    int width = dish_cells_x(dish), height = dish_cells_y(dish);
+    int width = cells_x(dish), height = cells_y(dish);
     if (columns == width && rows == height) {
         return;
     }
@@ -140,7 +136,7 @@ void dish_resize(struct dish *dish, int width, int height)
 {
     dish->width = width;
     dish->height = height;
-    dish_regrid(dish);
+    regrid(dish);
 }
 
 static void take_react(struct dish *dish, const struct action *action)
@@ -151,7 +147,7 @@ static void take_react(struct dish *dish, const struct action *action)
         dish->sows = 0;
     }
     dish_set(dish);
-    dish_regrid(dish);
+    regrid(dish);
     dish_make_stops(dish);
 }
 

@@ -57,7 +57,6 @@ void dish_resize(struct dish *dish, int width, int height);
 void dish_act(struct dish *dish, int64_t tick, const struct action *action);
 /* False when memory is short, now or in what was done before. */
 bool dish_tick(struct dish *dish, int64_t tick);
-struct dish_def dish_get_def(const struct dish *dish);
 /* The chemistry in it, the dish's, until the next call that changes anything. */
 const struct gray_scott *dish_chemistry(const struct dish *dish);
 /* Whether the next picture is the same as this one if nothing is done: nothing reacts, nothing turns. */

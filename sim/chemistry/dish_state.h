@@ -33,8 +33,6 @@ struct dish {
     int stop_count;
 };
 
-int dish_cells_x(const struct dish *dish);
-int dish_cells_y(const struct dish *dish);
 static inline size_t dish_cells(const struct dish *dish)
 {
     return (size_t)gray_scott_width(dish->chemistry) * (size_t)gray_scott_height(dish->chemistry);
@@ -42,8 +40,6 @@ static inline size_t dish_cells(const struct dish *dish)
 
 /* dish.c. The values of the keys, with what the style and the comb bring by themselves, become the chemistry's. */
 void dish_set(struct dish *dish);
-/* The chemistry on the grid that sheet and scale ask for. */
-void dish_regrid(struct dish *dish);
 
 /* dish_dose.c */
 void dish_dose(struct dish *dish, const struct action *action);

@@ -9,7 +9,7 @@ enum { TRIALS_MAX = 256 };
 static const float MARGIN = 0.03f;   /* of the spread, that the bound lies above the greatest load */
 static const float ETA_STEP = 0.05f; /* eta may change by, before all are weighed again */
 
-double laplacian_random(struct laplacian *laplacian)
+static double next_random(struct laplacian *laplacian)
 {
     uint64_t x = ((uint64_t)(uint32_t)laplacian->def.seed << 32) + laplacian->draws++ * UINT64_C(0x9e3779b97f4a7c15);
     x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -74,13 +74,13 @@ static int32_t choose_exactly(struct laplacian *laplacian)
     laplacian->kernels->range(laplacian->load, laplacian->candidates, &least, &most);
     float size = most > -least ? most : -least;
     if (most - least <= 1e-6f * size) { /* all the same: each as likely */
-        return (int32_t)(laplacian_random(laplacian) * laplacian->candidates);
+        return (int32_t)(next_random(laplacian) * laplacian->candidates);
     }
     laplacian->bound = most;
     laplacian->spread = most - least;
     const struct laplacian_weighing weighing = {most, 1 / (most - least), eta_now(laplacian)};
     weigh_all(laplacian, &weighing);
-    return laplacian_weights_draw(&laplacian->weights, laplacian_random(laplacian));
+    return laplacian_weights_draw(&laplacian->weights, next_random(laplacian));
 }
 
 /* Weights from above, by loads that may be old. */
@@ -166,7 +166,7 @@ static int32_t choose_fast(struct laplacian *laplacian)
             weigh_bound(laplacian);
         }
         float at[LAPLACIAN_DIMENSIONS_MAX];
-        int32_t candidate = laplacian_weights_draw(&laplacian->weights, laplacian_random(laplacian));
+        int32_t candidate = laplacian_weights_draw(&laplacian->weights, next_random(laplacian));
         if (candidate < 0) {
             break;
         }
@@ -180,7 +180,7 @@ static int32_t choose_fast(struct laplacian *laplacian)
         float weight = weight_of(laplacian, candidate, load, &weighing);
         double bound = (double)laplacian->weights.sums[0][candidate];
         laplacian->load[candidate] = load;
-        if (laplacian_random(laplacian) * bound < (double)weight) {
+        if (next_random(laplacian) * bound < (double)weight) {
             return candidate;
         }
         set_load(laplacian, candidate, load);

@@ -84,9 +84,8 @@ void laplacian_extremes_raise(struct laplacian *laplacian, struct extremes *extr
 /* Looks for them among all loads, and makes theirs new. */
 void laplacian_extremes_find(struct laplacian *laplacian, struct extremes *extremes);
 
-/* laplacian_draw.c */
-double laplacian_random(struct laplacian *laplacian);
-/* Of a place, now; `rate` that of the place. Of the fast method, the field is that of the place afterwards. */
+/* laplacian_draw.c
+ * Of a place, now; `rate` that of the place. Of the fast method, the field is that of the place afterwards. */
 float laplacian_load_now(struct laplacian *laplacian, const float *at, float rate);
 float laplacian_rate_of(const struct laplacian *laplacian, int32_t candidate);
 bool laplacian_quicken(struct laplacian *laplacian);                 /* makes the tree */

@@ -75,14 +75,14 @@ void laplacian_weights_sum(struct laplacian_weights *weights, int32_t count)
     }
 }
 
-double laplacian_weights_total(const struct laplacian_weights *weights)
+static double total(const struct laplacian_weights *weights)
 {
     return weights->levels > 0 ? (double)sum16(weights->sums[weights->levels - 1]) : 0;
 }
 
 int32_t laplacian_weights_draw(const struct laplacian_weights *weights, double part)
 {
-    double left = part * laplacian_weights_total(weights);
+    double left = part * total(weights);
     int32_t index = 0;
     for (int level = weights->levels - 1; level >= 0; level--) {
         const float *from = weights->sums[level] + (size_t)FAN * (size_t)index;

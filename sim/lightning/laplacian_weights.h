@@ -23,7 +23,6 @@ void laplacian_weights_finish(struct laplacian_weights *weights); /* takes zeroe
 void laplacian_weights_set(struct laplacian_weights *weights, int32_t index, float weight);
 /* After sums[0] was written: all sums of the first `count` weights. */
 void laplacian_weights_sum(struct laplacian_weights *weights, int32_t count);
-double laplacian_weights_total(const struct laplacian_weights *weights);
 /* The weight at `part`, 0..1, of the total; -1 where the total is 0. */
 int32_t laplacian_weights_draw(const struct laplacian_weights *weights, double part);
 

@@ -147,11 +147,6 @@ enum lsystem_status lsystem_status(const struct lsystem *lsystem)
     return lsystem->status;
 }
 
-int lsystem_dimensions(const struct lsystem *lsystem)
-{
-    return lsystem->def.dimensions;
-}
-
 int32_t lsystem_count(const struct lsystem *lsystem)
 {
     return lsystem->count;
@@ -167,25 +162,6 @@ struct laplacian_node lsystem_laplacian_node(const struct lsystem *lsystem, int3
     const struct lsystem_node *node = &lsystem->nodes[index];
     return (struct laplacian_node){
         .at = {node->at[0], node->at[1], node->at[2]}, .potential = node->potential, .parent = node->parent};
-}
-
-static int32_t modules_of(const struct lsystem *lsystem, bool buds)
-{
-    int32_t count = 0;
-    for (int32_t i = 0; i < lsystem->next_count; i++) {
-        count += lsystem->next[i].bud == buds;
-    }
-    return count;
-}
-
-int32_t lsystem_apices(const struct lsystem *lsystem)
-{
-    return modules_of(lsystem, false);
-}
-
-int32_t lsystem_buds(const struct lsystem *lsystem)
-{
-    return modules_of(lsystem, true);
 }
 
 float lsystem_potential(struct lsystem *lsystem, const float at[3], float rise[3])

@@ -99,13 +99,10 @@ void lsystem_destroy(struct lsystem *lsystem); /* takes NULL */
 int lsystem_step(struct lsystem *lsystem, int count);
 enum lsystem_status lsystem_status(const struct lsystem *lsystem);
 
-int lsystem_dimensions(const struct lsystem *lsystem);
 int32_t lsystem_count(const struct lsystem *lsystem); /* nodes, in the order in which they came, seeds first */
 struct lsystem_node lsystem_node(const struct lsystem *lsystem, int32_t index);
 /* The same as a node of Laplacian growth, for what draws and writes those. */
 struct laplacian_node lsystem_laplacian_node(const struct lsystem *lsystem, int32_t index);
-int32_t lsystem_apices(const struct lsystem *lsystem); /* that may grow yet */
-int32_t lsystem_buds(const struct lsystem *lsystem);   /* that wait */
 
 /* What an apex at a place is told: eq. 10 less its constant, and the way in which it rises, per cell. */
 float lsystem_potential(struct lsystem *lsystem, const float at[3], float rise[3]);

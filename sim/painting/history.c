@@ -119,8 +119,9 @@ static void keep_tile(struct history *history, int column, int line, uint32_t mo
     past_keep(history->past, line * history->columns + column, &code, moment, group);
 }
 
-void history_keep(struct history *history, struct engine *engine, struct rectangle cells, uint32_t moment,
-                  uint32_t group)
+/* Keeps the tiles that these cells touch, as far as the group has not kept them; 0: all of them, for nobody. */
+static void keep_tiles(struct history *history, struct engine *engine, struct rectangle cells, uint32_t moment,
+                       uint32_t group)
 {
     int left = cells.x0 / TILE, right = (cells.x1 - 1) / TILE;
     for (int line = cells.y0 / TILE; !rectangle_is_empty(cells) && line * TILE < cells.y1; line++) {
@@ -194,7 +195,7 @@ static void paint(struct history *history, struct engine *engine, const struct a
     uint32_t moment = history_moment(history);
     struct group *group = history_group_for(history, action, marks, moment);
     bool rewinds = action->verb == ACTION_REWIND;
-    history_keep(history, engine, history_around(history, marks, count, rewinds ? 1 : AROUND), moment, group->id);
+    keep_tiles(history, engine, history_around(history, marks, count, rewinds ? 1 : AROUND), moment, group->id);
     history_add_marks(history, group, marks, count);
     if (rewinds) {
         history_rewind(history, engine, marks, count, action->ticks);
@@ -251,13 +252,6 @@ uint64_t history_can_undo(const struct history *history)
 uint64_t history_can_redo(const struct history *history)
 {
     return who_has(history, GROUP_UNDONE);
-}
-
-size_t history_bytes(const struct history *history)
-{
-    return sizeof *history + past_bytes(history->past) + patch_bytes(&history->patch) +
-           (size_t)history->columns * sizeof *history->plans +
-           (size_t)history->width * (size_t)history->height * sizeof *history->lost;
 }
 
 size_t history_used(const struct history *history)

@@ -51,7 +51,6 @@ void history_forget(struct history *history);
 uint64_t history_can_undo(const struct history *history);
 uint64_t history_can_redo(const struct history *history);
 
-size_t history_bytes(const struct history *history); /* taken; never more than some percent above the budget */
-size_t history_used(const struct history *history);  /* by what is kept now */
+size_t history_used(const struct history *history); /* by what is kept now */
 
 #endif

@@ -75,9 +75,6 @@ struct history {
 
 /* A moment of its own, later than all others. */
 uint32_t history_moment(struct history *history);
-/* Keeps the tiles that these cells touch, as far as the group has not kept them; 0: all of them, for nobody. */
-void history_keep(struct history *history, struct engine *engine, struct rectangle cells, uint32_t moment,
-                  uint32_t group);
 /* Puts tiles [first, last] of a line into the patch; false when the engine does not answer. */
 bool history_save_line(struct history *history, struct engine *engine, int line, int first, int last);
 

@@ -350,11 +350,6 @@ uint32_t past_horizon(const struct past *past)
     return past->horizon;
 }
 
-size_t past_bytes(const struct past *past)
-{
-    return past->bytes;
-}
-
 size_t past_used(const struct past *past)
 {
     return (size_t)(past->block_count - past->free_blocks) * PLANE_BYTES +

@@ -45,7 +45,6 @@ void past_release(struct past *past, uint32_t version);
 void past_age(struct past *past, uint32_t moment);
 /* Of what was let go: the moment before which tiles may not be known any more; 0: all is known. */
 uint32_t past_horizon(const struct past *past);
-size_t past_bytes(const struct past *past); /* taken */
-size_t past_used(const struct past *past);  /* by versions */
+size_t past_used(const struct past *past); /* by versions */
 
 #endif

@@ -22,11 +22,6 @@ void patch_finish(struct patch *patch)
     *patch = (struct patch){0};
 }
 
-size_t patch_bytes(const struct patch *patch)
-{
-    return patch->room * (CHECKPOINT_PLANES * sizeof *patch->planes + PATCH_GROUND * sizeof *patch->ground);
-}
-
 bool patch_fits(const struct patch *patch, int width, int height)
 {
     struct rectangle cells = patch->cells;

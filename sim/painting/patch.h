@@ -26,7 +26,6 @@ struct patch {
 /* Room for so many cells; false when memory is short. patch_finish takes a zeroed one. */
 bool patch_init(struct patch *patch, size_t room);
 void patch_finish(struct patch *patch);
-size_t patch_bytes(const struct patch *patch);
 
 static inline size_t patch_cells(const struct patch *patch)
 {

@@ -80,7 +80,8 @@ bool picture_resampler(struct resample *resample, int cells, int pixels, bool sm
                   : resample_init(resample, cells, pixels, 0.65f, 0.175f);
 }
 
-float picture_follow(const struct picture_def *def, float before, float measured)
+/* The depth_ref of a picture from that of the one before (0: none) and the measured one. */
+static float follow_depth(const struct picture_def *def, float before, float measured)
 {
     if (def->depth_ref > 0) {
         return def->depth_ref;
@@ -185,7 +186,7 @@ void picture_draw(struct picture *picture, const struct picture_planes *planes, 
     if (picture->def.plain) {
         share_work(picture, picture_prepare_plain, cell_rows, cell_band);
     } else {
-        picture->depth_ref = picture_follow(&picture->def, picture->depth_ref, picture_depth_ref(picture));
+        picture->depth_ref = follow_depth(&picture->def, picture->depth_ref, picture_depth_ref(picture));
         share_work(picture, picture_prepare_across, cell_rows, cell_band);
         share_work(picture, picture_prepare_down, cell_rows, cell_band);
     }

@@ -85,8 +85,6 @@ bool picture_valid(const struct picture_def *def);
 struct blur blur_of(float sigma);
 /* From cells to pixels along one axis; `smooth`: of the layers from LAYER_SMOOTH on. False when memory is short. */
 bool picture_resampler(struct resample *resample, int cells, int pixels, bool smooth);
-/* The depth_ref of a picture from that of the one before (0: none) and the measured one. */
-float picture_follow(const struct picture_def *def, float before, float measured);
 /* The depth that counts as well carved. */
 float picture_depth_ref(const struct picture *picture);
 /* Rows of cells: relief, and what is to be blurred, blurred across. */

@@ -114,7 +114,7 @@ static void make_uneven(struct bed *bed)
     }
 }
 
-struct bed *garden_bed_create(const struct garden *garden)
+static struct bed *bed_create(const struct garden *garden)
 {
     struct bed *bed = calloc(1, sizeof *bed);
     if (!bed) {
@@ -167,7 +167,7 @@ bool garden_bed_ready(struct garden *garden)
     if (!garden->stock || !(garden->work & WORK_BED)) {
         return garden->stock;
     }
-    struct bed *bed = garden_bed_create(garden);
+    struct bed *bed = bed_create(garden);
     struct bed *before = garden->bed;
     if (bed) {
         garden->bed = bed;

@@ -79,8 +79,7 @@ struct garden {
     struct strokes strokes;
 };
 
-/* garden_bed.c. A bed for the picture, its weights not made; NULL when memory is short. */
-struct bed *garden_bed_create(const struct garden *garden);
+/* garden_bed.c */
 void garden_bed_destroy(struct bed *bed); /* takes NULL */
 /* Makes the bed where another is wanted. False where there is no picture, or when memory is short. */
 bool garden_bed_ready(struct garden *garden);

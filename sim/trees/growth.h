@@ -55,10 +55,9 @@ extern const struct key growth_keys[]; /* of struct growth_def; ends with a key 
 /* The values that suit a metaphor, as a dendrite or as a tree. */
 struct growth_def growth_preset(enum metaphor metaphor, bool tree);
 
-/* A value of growth_keys[] as a number: choices and flags by theirs from 0. Paths and points are none: 0. */
-float growth_value(const struct growth_def *def, int key);
-/* Sets it, brought into its range and rounded where it is whole. Another metaphor, or a tree instead of a dendrite,
- * brings its own values of all others but the seed. */
+/* Sets the value of growth_keys[key], choices and flags by their number from 0, brought into its range and rounded
+ * where it is whole. Another metaphor, or a tree instead of a dendrite, brings its own values of all others but the
+ * seed. */
 void growth_take(struct growth_def *def, int key, float value);
 
 struct growth {

@@ -2,11 +2,6 @@
 
 #include "growth.h"
 
-float growth_value(const struct growth_def *def, int key)
-{
-    return key_value(&growth_keys[key], def);
-}
-
 void growth_take(struct growth_def *def, int key, float value)
 {
     const struct key *of = &growth_keys[key];

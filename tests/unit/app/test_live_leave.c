@@ -51,7 +51,7 @@ static void close_place(struct place *place)
 static void until_made(struct place *place, enum transition_kind kind, uint32_t seed)
 {
     double end_s = bench_wall_s() + PATIENCE_S;
-    while (!live_leave_cover(&place->leave, kind, seed, 0, WIDTH, HEIGHT)) {
+    while (!live_leave_cover(&place->leave, (int)kind, seed, 0, WIDTH, HEIGHT)) {
         assert_true(bench_wall_s() < end_s);
         nanosleep(&(struct timespec){0, 1000000}, NULL);
     }
@@ -68,7 +68,7 @@ static void show(struct place *place, enum transition_kind kind, double share)
     glDisable(GL_SCISSOR_TEST);
     glClearColor((float)BELOW[0] / 255, (float)BELOW[1] / 255, (float)BELOW[2] / 255, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    live_leave_cover(&place->leave, kind, SEED, share, WIDTH, HEIGHT);
+    live_leave_cover(&place->leave, (int)kind, SEED, share, WIDTH, HEIGHT);
     assert_true(live_leave_draw(&place->leave, place->display, &error));
     display_end(place->display);
     assert_true(display_capture(place->display, place->shown));

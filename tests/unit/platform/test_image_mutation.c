@@ -35,7 +35,7 @@ struct tally {
     int first; /* this one and every THREADS-th after it */
     int pictures, errors;
     int by_format[FORMATS];           /* read, well or not */
-    char wrong[FILE_ERROR_TEXT + 64]; /* empty: all well */
+    char wrong[FILE_ERROR_TEXT + 128]; /* empty: all well */
 };
 
 /* xorshift32, Marsaglia 2003. */

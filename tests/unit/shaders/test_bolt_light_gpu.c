@@ -166,12 +166,13 @@ static void each_way_a_panel_hangs(void **state)
     bolt_case_fill(segments, COUNT, 2 * WIDTH, 2 * HEIGHT, true);
     for (int way = 0; way < 8; way++) {
         struct bench *bench = open_bench(way % 4 * 90, way >= 4);
-        struct bolt_view view = view_of(way % BOLT_STYLES, segments);
+        enum bolt_style style = (enum bolt_style)(way % BOLT_STYLES);
+        struct bolt_view view = view_of(style, segments);
         view.clear = way % 2;
-        set_all(bench, segments, way % BOLT_STYLES);
+        set_all(bench, segments, style);
         expect(bench, &view, 1300);
         present(bench, &view, 1300);
-        compare(bench, &view, allowed_of(way % BOLT_STYLES));
+        compare(bench, &view, allowed_of(style));
         drop_context(bench);
     }
 }
