@@ -1,8 +1,12 @@
-# What tests need where a sanitizer looks on (FROND_SANITIZE). Every folder that has tests calls frond_sanitized() last.
-#
-# Patience: the address sanitizer makes all of it three times slower, the thread sanitizer ten times.
-# Options: libraries that are not built for them leak what they keep until the end (leaks.supp), wait in ways of their own,
-#   and one of umockdev comes before the sanitizer's.
+# Tests where a sanitizer looks on (FROND_SANITIZE). They may know it, by SANITIZED and SANITIZED_THREAD; every folder that
+# has tests calls frond_sanitized() last, which gives them patience and options.
+if(FROND_SANITIZE)
+    add_compile_definitions(SANITIZED)
+endif()
+if(FROND_SANITIZE MATCHES thread)
+    add_compile_definitions(SANITIZED_THREAD)
+endif()
+
 function(frond_sanitized)
     if(NOT FROND_SANITIZE)
         return()
@@ -16,6 +20,8 @@ function(frond_sanitized)
         get_test_property(${test} TIMEOUT limit)
         math(EXPR limit "${patience} * ${limit}")
         set_tests_properties(${test} PROPERTIES TIMEOUT ${limit})
+        # Libraries that were not built so: umockdev's comes before the sanitizer's, Mesa, D-Bus and fontconfig keep what they
+        # have until the end, and all of them wait in ways that only they know.
         set_property(TEST ${test} APPEND PROPERTY ENVIRONMENT
             ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:verify_asan_link_order=0
             UBSAN_OPTIONS=print_stacktrace=1
