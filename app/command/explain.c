@@ -82,17 +82,6 @@ const char *explain_range(const struct key *key, char *buffer, size_t size)
     return buffer;
 }
 
-const char *explain_comment(const struct key *key, char *buffer, size_t size)
-{
-    char range[1400];
-    if (key_is_section(key)) {
-        snprintf(buffer, size, "%s", key->meaning);
-    } else {
-        snprintf(buffer, size, "%s (%s)", key->meaning, explain_range(key, range, sizeof range));
-    }
-    return buffer;
-}
-
 static bool is_asked(const struct explaining *explaining, const char *place, const char *name)
 {
     const char *asked = explaining->asked;
