@@ -79,7 +79,7 @@ static void every_metaphor_and_metric_grows_a_forest_that_reaches_all(void **sta
 {
     (void)state;
     float *grey = malloc(SIDE * SIDE * sizeof *grey);
-    for (int m = 0; m < METAPHORS * METRICS; m++) {
+    for (int m = 0; m < (int)METAPHORS * (int)METRICS; m++) {
         struct growth_def def = growth_preset((enum metaphor)(m % METAPHORS), false);
         def.metric = m / METAPHORS;
         def.endpoints = 300;
