@@ -202,7 +202,7 @@ bool explain(const char *asked, FILE *out)
     explain_tables(&explaining, exhibit_tables);
     for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
         exhibit_options_keys((enum scene_kind)kind, options);
-        explain_keys(&explaining, scene_kind_names[kind], scene_types[kind]->about, options);
+        explain_keys(&explaining, scene_kind_names[kind], scene_kind_meanings[kind], options);
     }
     explain_tables(&explaining, inputs_tables_of(&inputs));
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);

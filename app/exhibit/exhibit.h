@@ -124,14 +124,15 @@ static inline bool tool_fits(int tool, int kind)
     return tool >= 0 && tool < TOOLS && (int)exhibit_tool_kinds[tool] == kind;
 }
 
-/* The tool that every scene of a kind has, the first of its tools. */
+/* The tool that every scene of a kind has, the first of its tools; TOOL_DROP, which is any binding's that names none,
+ * where the kind has no tools of its own. */
 static inline enum exhibit_tool tool_first(int kind)
 {
-    int tool = 0;
-    while (tool < TOOLS - 1 && !tool_fits(tool, kind)) {
-        tool++;
+    int tool = TOOLS - 1;
+    for (int i = tool; i >= 0; i--) {
+        tool = tool_fits(i, kind) ? i : tool;
     }
-    return (enum exhibit_tool)tool;
+    return tool_fits(tool, kind) ? (enum exhibit_tool)tool : TOOL_DROP;
 }
 
 enum exhibit_side { SIDE_OF_LEFT, SIDE_OF_RIGHT, SIDE_OF_BOTTOM, SIDE_OF_NONE };

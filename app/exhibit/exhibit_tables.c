@@ -102,7 +102,8 @@ const struct key palettes_keys[] = {
     END,
 };
 
-#define SCENE struct exhibit_scene
+#define SCENE                                  struct exhibit_scene
+#define SCENE_SECTION(kind, name, type, about) SECTION(name, about),
 const struct key scene_keys[] = {
     TEXT("id", SCENE, id, "a word", ID_BYTES, true, "What the staff's view and the log call the scene."),
     SECTION("title", "What visitors call it, by language: {en: ..., fr: ...}."),
@@ -112,9 +113,7 @@ const struct key scene_keys[] = {
     CHOICE("leave", SCENE, leave, transition_names, TRANSITION_WASH, false,
            "How it goes when another scene comes or the visit ends: water washes it down, the sheet dries from its "
            "edges, or frost grows over it and melts."),
-    SECTION("trees", "How they grow in a scene of trees, as `frond grow` does it, and over which picture first."),
-    SECTION("lightning", "How it grows in a scene of lightning: bolts, corals, rivers, frost."),
-    SECTION("chemistry", "How chemicals react in a scene of chemistry, and what they look like."),
+    SCENE_TYPES(SCENE_SECTION) /* one for each kind */
     SECTION("inks", "A list of one to four inks, by name."),
     SECTION("palette", "Four inks at once, by the id of a palette of the exhibit's own or the name of a shipped one, "
                        "instead of inks; the first shipped one if both are left out."),

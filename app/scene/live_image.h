@@ -1,5 +1,5 @@
 /* A scene on the display that gives no more than a picture (live_drawer.h): what its `lay` puts over a painting, at the
- * cells of the sheet. */
+ * cells of the sheet. What shines through is blended in sRGB. */
 #ifndef FROND_LIVE_IMAGE_H
 #define FROND_LIVE_IMAGE_H
 

@@ -403,7 +403,6 @@ static bool is_calm(const void *scene, int64_t now)
 
 const struct scene_type dish_type = {
     .shows = SHOW_PATTERN,
-    .about = "How chemicals react in a scene of chemistry, and what they look like.",
     .options = dish_keys,
     .brings = BRINGS,
     .sets = ACTION_REACT,

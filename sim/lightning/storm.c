@@ -257,7 +257,6 @@ static bool is_calm(const void *scene, int64_t now)
 
 const struct scene_type storm_type = {
     .shows = SHOW_BOLTS,
-    .about = "How it grows in a scene of lightning; defaults are those of the first kind.",
     .options = storm_keys,
     .brings = BRINGS,
     .sets = ACTION_CONDUCT,

@@ -2,11 +2,13 @@
 
 #include "verb.h"
 
-#define SCENE_NAME(kind, name, type)   name,
-#define SCENE_EXTERN(kind, name, type) extern const struct scene_type type;
-#define SCENE_ENTRY(kind, name, type)  [kind] = &(type),
+#define SCENE_NAME(kind, name, type, about)    name,
+#define SCENE_MEANING(kind, name, type, about) about,
+#define SCENE_EXTERN(kind, name, type, about)  extern const struct scene_type type;
+#define SCENE_ENTRY(kind, name, type, about)   [kind] = &(type),
 
 const char *const scene_kind_names[SCENE_KINDS + 1] = {"painting", SCENE_TYPES(SCENE_NAME) NULL};
+const char *const scene_kind_meanings[SCENE_KINDS] = {NULL, SCENE_TYPES(SCENE_MEANING)};
 const char *const scene_field_names[SCENE_FIELDS + 1] = {"dark", "along", "around", NULL};
 
 SCENE_TYPES(SCENE_EXTERN)

@@ -18,16 +18,21 @@
 #include "action.h"
 
 /* Every kind but the painting, which is the engine's (engine.h): enum scene_kind, its name in files, its struct
- * scene_type. */
+ * scene_type, and a sentence for curators about its section in an exhibit. */
 #define SCENE_TYPES(KIND)                                                                                              \
-    KIND(SCENE_TREES, "trees", trees_type)         /* a garden over a painting that sleeps */                          \
-    KIND(SCENE_LIGHTNING, "lightning", storm_type) /* a storm */                                                       \
-    KIND(SCENE_CHEMISTRY, "chemistry", dish_type)  /* a dish */
+    KIND(SCENE_TREES, "trees", trees_type,                                                                             \
+         "How they grow in a scene of trees, as `frond grow` does it, and over which picture first; defaults are "     \
+         "those of ink.")                                                                                              \
+    KIND(SCENE_LIGHTNING, "lightning", storm_type,                                                                     \
+         "How it grows in a scene of lightning: bolts, corals, rivers, frost; defaults are those of the first kind.")  \
+    KIND(SCENE_CHEMISTRY, "chemistry", dish_type,                                                                      \
+         "How chemicals react in a scene of chemistry, and what they look like.")
 
-#define SCENE_ENUMERATOR(kind, name, type) kind,
+#define SCENE_ENUMERATOR(kind, name, type, about) kind,
 enum scene_kind { SCENE_PAINTING, SCENE_TYPES(SCENE_ENUMERATOR) SCENE_KINDS };
 #undef SCENE_ENUMERATOR
 extern const char *const scene_kind_names[SCENE_KINDS + 1]; /* "painting", ...; ends with NULL */
+extern const char *const scene_kind_meanings[SCENE_KINDS];  /* those sentences; NULL for SCENE_PAINTING */
 
 /* What a scene gives to another, as rasters over the sheet. */
 enum scene_field {

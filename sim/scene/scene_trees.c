@@ -170,7 +170,6 @@ static const char *const BRINGS[] = {"metaphor", "tree", NULL};
 
 const struct scene_type trees_type = {
     .shows = SHOW_PLATE,
-    .about = "How they grow in a scene of trees; defaults are those of ink.",
     .options = growth_keys,
     .brings = BRINGS,
     .sets = ACTION_SHAPE,
