@@ -82,17 +82,6 @@ const char *explain_range(const struct key *key, char *buffer, size_t size)
     return buffer;
 }
 
-const char *explain_comment(const struct key *key, char *buffer, size_t size)
-{
-    char range[1400];
-    if (key_is_section(key)) {
-        snprintf(buffer, size, "%s", key->meaning);
-    } else {
-        snprintf(buffer, size, "%s (%s)", key->meaning, explain_range(key, range, sizeof range));
-    }
-    return buffer;
-}
-
 static bool is_asked(const struct explaining *explaining, const char *place, const char *name)
 {
     const char *asked = explaining->asked;
@@ -194,6 +183,7 @@ static void explain_tables(struct explaining *explaining, const struct inputs_ta
 bool explain(const char *asked, FILE *out)
 {
     struct key options[EXHIBIT_OPTIONS_KEYS];
+    struct inputs_tables inputs;
     struct explaining explaining = {.asked = asked, .out = out};
     explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
     explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
@@ -214,7 +204,7 @@ bool explain(const char *asked, FILE *out)
         exhibit_options_keys((enum scene_kind)kind, options);
         explain_keys(&explaining, scene_kind_names[kind], scene_kind_meanings[kind], options);
     }
-    explain_tables(&explaining, inputs_tables);
+    explain_tables(&explaining, inputs_tables_of(&inputs));
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
     explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", laplacian_keys);

@@ -1,7 +1,7 @@
 #include <string.h>
 
 #include "exhibit_read.h"
-#include "key_rows.h"
+#include "file_rows.h"
 #include "script_read.h"
 #include "transition.h"
 
@@ -88,7 +88,7 @@ const struct key display_keys[] = {
 const struct key sheet_keys[] = {
     WHOLE("cells", SHEET, cells, "cells", EXHIBIT_CELLS_MIN, EXHIBIT_CELLS_MAX, 345600, false,
           "How fine the whole sheet is, which has the shape of the screen; more is finer, and slower."),
-    WHOLE("margin", SHEET, margin, "cells", 0, PAINTING_MARGIN_MAX, 0, false,
+    WHOLE("margin", SHEET, margin, "cells", 0, CANVAS_MARGIN_MAX, 0, false,
           "Cells simulated beyond each side, so that growth does not turn square there."),
     WHOLE("seed", SHEET, seed, "", 0, 2147483647, 1, false, "Seed of everything random: another one is another paper."),
     WHOLE("rate", SHEET, rate, "ticks a second", 10, 240, 60, false, "How fast the painting grows."),

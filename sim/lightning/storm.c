@@ -178,11 +178,6 @@ bool storm_is_calm(const struct storm *storm, int64_t tick)
     return calm && !turns && !flashes && !storm->strokes_changed;
 }
 
-static bool takes(enum action_verb verb)
-{
-    return verb == ACTION_STRIKE || verb == ACTION_ATTRACT || verb == ACTION_CONDUCT;
-}
-
 static void *create(int width, int height)
 {
     return storm_create(width, height);
@@ -268,7 +263,6 @@ const struct scene_type storm_type = {
     .begins = ACTION_STRIKE,
     .initial = initial_options,
     .take = take_option,
-    .takes = takes,
     .create = create,
     .destroy = destroy,
     .resize = resize,

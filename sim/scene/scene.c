@@ -1,5 +1,7 @@
 #include "scene.h"
 
+#include "verb.h"
+
 #define SCENE_NAME(kind, name, type, about)    name,
 #define SCENE_MEANING(kind, name, type, about) about,
 #define SCENE_EXTERN(kind, name, type, about)  extern const struct scene_type type;
@@ -14,17 +16,12 @@ const struct scene_type *const scene_types[SCENE_KINDS] = {SCENE_TYPES(SCENE_ENT
 
 enum scene_kind scene_kind_of(enum action_verb verb)
 {
-    int kind = SCENE_KINDS - 1;
-    while (kind > SCENE_PAINTING && !scene_types[kind]->takes(verb)) {
-        kind--;
-    }
-    return (enum scene_kind)kind;
+    return verbs[verb]->scene;
 }
 
 bool scene_takes(enum scene_kind kind, enum action_verb verb)
 {
-    bool all = verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_CLEAR || verb == ACTION_RINSE;
-    return all || scene_kind_of(verb) == kind;
+    return verbs[verb]->shared || verbs[verb]->scene == kind;
 }
 
 int scene_field_channels(enum scene_field field)

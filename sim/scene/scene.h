@@ -70,7 +70,6 @@ struct scene_type {
     void (*initial)(void *options); /* fills that struct as at first */
     /* Sets a value of the table: brought into its range, with what it brings. */
     void (*take)(void *options, int key, float value);
-    bool (*takes)(enum action_verb verb); /* verbs that are for this kind alone: a session with one has such a scene */
     void *(*create)(int width, int height); /* cells of the sheet. Nothing is on it. NULL when memory is short */
     void (*destroy)(void *scene);           /* takes NULL */
     void (*resize)(void *scene, int width, int height); /* the sheet has another grid; what has grown stays */
@@ -96,7 +95,7 @@ struct scene_type {
 enum { SCENE_OPTIONS_BYTES = 1024 };
 /* By kind; NULL for SCENE_PAINTING. */
 extern const struct scene_type *const scene_types[SCENE_KINDS];
-/* The kind that a verb is for alone, or SCENE_PAINTING. */
+/* The kind that a verb is for alone (a session with one has such a scene), or SCENE_PAINTING. */
 enum scene_kind scene_kind_of(enum action_verb verb);
 /* Whether an action is for scenes of a kind: what is for that kind alone, and what washes, clears and takes back. */
 bool scene_takes(enum scene_kind kind, enum action_verb verb);

@@ -53,5 +53,9 @@ void key_defaults(const struct key *keys, void *object);
 float key_value(const struct key *key, const void *object);
 /* Sets it, brought into its range (NaN becomes the least) and rounded where it is whole. */
 void key_take(const struct key *key, void *object, float value);
+/* Whether every number, whole number and choice of `object` is within its range. */
+bool keys_are_legal(const struct key *keys, const void *object);
+/* Brings them there: numbers to the nearer end (NaN to the least), choices that there are none to the default. */
+void keys_make_legal(const struct key *keys, void *object);
 
 #endif
