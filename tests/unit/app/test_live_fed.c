@@ -17,7 +17,7 @@
 #include "live_loop.h"
 #include "source_fake.h"
 
-enum { WIDTH = 320, HEIGHT = 200, BYTES = WIDTH * HEIGHT * 3, PATIENCE_S = 30, DARK = 120, BRIGHT = 60 };
+enum { WIDTH = 320, HEIGHT = 200, BYTES = WIDTH * HEIGHT * 3, PATIENCE_S = 30, DARK = 120, BRIGHT = 60, LEAST = 30 };
 
 static const char EXHIBIT[] = "exhibit: 1\n"
                               "display: {width: 530}\n"
@@ -64,7 +64,7 @@ static struct exhibit *read_exhibit(struct place *place)
 
 static struct source *plug_in(struct place *place, enum event_source kind, const struct device *device)
 {
-    struct source_error error = {""};
+    struct device_error error = {""};
     struct source *fake = source_fake_create(
         &(struct source_fake_def){.source = kind, .devices = device, .device_count = device ? 1 : 0}, &error);
     assert_non_null(fake);
@@ -77,7 +77,7 @@ static struct place *open_place(void)
     static const struct device LINES = {.class = DEVICE_LINES, .name = "lines", .admitted = true};
     struct place *place = calloc(1, sizeof *place);
     struct display_def display = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     assert_non_null(place);
     display.kind = DISPLAY_HEADLESS;
     display.width = WIDTH;
@@ -126,16 +126,6 @@ static void press(struct place *place)
     source_fake_post(place->lines, 0, &(struct event){.kind = EVENT_CONTROL, .value = 0});
 }
 
-/* Until the bolts stand still, and are shown. */
-static void until_it_has_struck(struct place *place)
-{
-    double end_s = bench_wall_s() + PATIENCE_S;
-    const struct live_layer *bolts = &place->live.scene_draw.bolts.layer;
-    while (!bolts->shown || !bolts->newest->calm || !live_scene_is_calm(place->live.scene)) {
-        assert_true(bench_wall_s() < end_s && live_turn(&place->live));
-    }
-}
-
 /* Until that scene has been on the display for a while, with its ground. */
 static void until_scene(struct place *place, const char *id)
 {
@@ -168,6 +158,18 @@ static bool is_dark(uint8_t green)
     return green < DARK;
 }
 
+/* Until the bolts stand still, and can be seen: `struck` is that. */
+static void until_it_has_struck(struct place *place)
+{
+    double end_s = bench_wall_s() + PATIENCE_S;
+    const struct live_layer *bolts = &place->live.scene_draw.bolts.layer;
+    int seen = 0;
+    while (!bolts->shown || !bolts->newest->calm || !live_scene_is_calm(place->live.scene) || seen <= LEAST) {
+        assert_true(bench_wall_s() < end_s && live_turn(&place->live));
+        seen = display_capture(place->display, place->struck) ? count(place->struck, is_bright, NULL, NULL) : 0;
+    }
+}
+
 static void what_a_finger_has_struck_is_ink(void **state)
 {
     (void)state;
@@ -176,7 +178,6 @@ static void what_a_finger_has_struck_is_ink(void **state)
     touch(place, 0.6f, 0.7f);
     assert_string_equal(kiosk_state(place->live.kiosk.kiosk), "painting");
     until_it_has_struck(place);
-    assert_true(display_capture(place->display, place->struck));
     press(place);
     until_scene(place, "glaze");
     assert_string_equal(kiosk_state(place->live.kiosk.kiosk), "painting");
@@ -184,7 +185,7 @@ static void what_a_finger_has_struck_is_ink(void **state)
     int struck = count(place->struck, is_bright, NULL, NULL), ink = count(place->shown, is_dark, NULL, NULL);
     int both = count(place->struck, is_bright, place->shown, is_dark);
     print_message("%d pixels of the bolt, %d of ink, %d of both\n", struck, ink, both);
-    assert_true(struck > 30 && both > 0.7 * struck && ink < WIDTH * HEIGHT / 20);
+    assert_true(struck > LEAST && both > 0.7 * struck && ink < WIDTH * HEIGHT / 20);
     close_place(place);
 }
 

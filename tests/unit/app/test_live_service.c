@@ -69,7 +69,7 @@ static struct place *open_place(void)
     struct place *place = calloc(1, sizeof *place);
     struct display_def def = display_default_def();
     struct studio_def studio = studio_default_def();
-    struct display_error display_error;
+    struct device_error display_error;
     struct studio_error error;
     assert_non_null(place);
     listen_as_manager(place);
