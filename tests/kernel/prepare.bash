@@ -32,7 +32,7 @@ prepared() {
 prepare_obstacle() {
     local tool
     [[ $(uname -m) == x86_64 ]] || printf 'this machine is %s: the kernel and QEMU are for x86_64\n' "$(uname -m)"
-    for tool in apt-get:apt dpkg-deb:dpkg gcc-12:gcc-12 make:make objcopy:binutils python3:python3 xz:xz-utils \
+    for tool in apt-get:apt dpkg-deb:dpkg gcc:gcc make:make objcopy:binutils python3:python3 xz:xz-utils zstd:zstd \
         qemu-system-x86_64:qemu-system-x86; do
         command -v "${tool%:*}" >/dev/null || printf 'no %s: apt-get install %s\n' "${tool%:*}" "${tool#*:}"
     done
@@ -68,14 +68,15 @@ unpack() { # unpack FOLDER PACKAGE...
     done
 }
 
-# Sets `image`, `version` and `release` (6.1.0-N-amd64), and `packages` to all that is fetched.
+# Sets `image`, `version`, `release` (6.1.0-N-amd64), `kbuild` and `series`, and `packages` to all that is fetched.
 choose_kernel() {
     local found
     found=$(kernel_package) || return 1
     read -r image version <<<"$found"
     release=${image#linux-image-}
     series=${version%%.*}.$(cut -d . -f 2 <<<"$version")
-    packages=("$image" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "linux-kbuild-$series"
+    kbuild=$(apt-cache "${apt[@]}" depends "linux-headers-$release" | awk '/Depends: linux-kbuild/ { print $2; exit }')
+    packages=("$image" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "$kbuild"
         "linux-source-$series" busybox-static "${guest_packages[@]}")
 }
 # Fetches `packages` into the set being made, or sets `why` and fails.
@@ -169,7 +170,7 @@ pack_base() {
     local base=$new/base.d file kept
     mkdir -p "$base/bin" "$base/modules"
     cp "$new/busybox" "$base/bin/"
-    ordered_modules "$new/kernel/lib/modules/$release" "$new/build" >"$new/modules.list"
+    ordered_modules "$new/kernel" "$new/build" >"$new/modules.list"
     while IFS= read -r file; do
         objcopy --strip-debug "$file" "$base/modules/${file##*/}"
         kept=" ${modules_kept[*]/%/.ko} "
@@ -199,10 +200,10 @@ probe_acceleration() {
 make_parts() {
     local folder
     unpack "$new/kernel" "$image"
-    find "$new/kernel/lib/modules" -name '*.ko.xz' -exec xz -d {} + # newer kernels than 6.1 pack their modules
-    unpack "$new/headers" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "linux-kbuild-$series"
+    find "$new/kernel" -name '*.ko.xz' -exec xz -d {} + # newer kernels than 6.1 pack their modules
+    unpack "$new/headers" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "$kbuild"
     unpack "$new/bin" busybox-static
-    mv "$new/bin/bin/busybox" "$new/busybox"
+    find "$new/bin" -type f -name busybox -exec mv {} "$new/busybox" \;
     extract_kernel "$new/kernel/boot/vmlinuz-$release" "$new/vmlinux"
     build_modules "$new/headers" "$new/build"
     pack_base
