@@ -1,6 +1,5 @@
 #include "devices_text.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "hid_report.h"

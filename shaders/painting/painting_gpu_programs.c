@@ -1,4 +1,3 @@
-#include <stdlib.h>
 
 #include <GLES3/gl31.h>
 
