@@ -15,9 +15,10 @@
 #include "hud.h"
 #include "kiosk_case.h"
 #include "live_input.h"
+#include "patience.h"
 #include "source_fake.h"
 
-enum { FRAMES = 90, PATIENCE_FRAMES = 2000, REFRESH_MHZ = 60000 };
+enum { FRAMES = 90, PATIENCE_FRAMES = 2000 * SLOWER, REFRESH_MHZ = 60000 };
 
 static const char SCRIPT[] = "frond: 1\n"
                              "canvas: {width: 96, height: 96}\n"
