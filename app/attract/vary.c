@@ -1,7 +1,6 @@
 #include "vary.h"
 
 #include <math.h>
-#include <stddef.h>
 
 enum { PIECE = STUDIO_PATH - 1 }; /* segments of a piece of a path */
 

@@ -11,7 +11,7 @@
 enum { REPEATS = 5, EDITS = 24, EDIT_RADIUS = 20 };
 
 struct stages {
-    double importance, lattice, stipple, plan[METRICS], form, whole; /* s */
+    double importance, lattice, stipple, plan[METRICS], whole; /* s */
 };
 
 static void keep_least(double *least, double value)

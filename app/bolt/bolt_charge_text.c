@@ -1,7 +1,6 @@
 #include "bolt_charge_text.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

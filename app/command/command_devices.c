@@ -1,4 +1,3 @@
-#include <errno.h>
 #include <getopt.h>
 #include <poll.h>
 #include <signal.h>

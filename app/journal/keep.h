@@ -70,7 +70,7 @@ void keep_scene(struct keep *keep, const char *scene);
 /* The whole journal of the sheet now, ended, for a gallery; false when there is none that stands alone. */
 bool keep_journal(struct keep *keep, struct bytes *journal);
 
-enum keep_state { KEEP_GOOD, KEEP_FULL, KEEP_READ_ONLY, KEEP_FAILING, KEEP_STATES };
+enum keep_state { KEEP_GOOD, KEEP_FULL, KEEP_READ_ONLY, KEEP_FAILING };
 
 struct keep_report {
     enum keep_state state;

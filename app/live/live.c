@@ -1,6 +1,5 @@
 #include "live.h"
 
-#include <errno.h>
 #include <malloc.h>
 #include <signal.h>
 #include <stdarg.h>

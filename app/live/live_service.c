@@ -1,6 +1,5 @@
 #include "live_service.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,5 @@
 #include "engine_choice.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

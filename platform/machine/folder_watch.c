@@ -1,6 +1,5 @@
 #include "folder_watch.h"
 
-#include <fcntl.h>
 #include <limits.h>
 #include <stdalign.h>
 #include <stdio.h>

@@ -11,7 +11,6 @@
 
 #include "seat_hold.h"
 #include "source_queue.h"
-#include "swallow.h"
 #include "touch_device.h"
 #include "touch_fingers.h"
 
@@ -23,7 +22,6 @@ enum {
 struct source_touch {
     struct source source;
     struct source_queue queue;
-    struct swallow swallow;
     struct touch_definition *definition;
     struct udev *udev;
     struct libinput *libinput;
@@ -302,16 +300,7 @@ static int get_timeout(const struct source *source)
 
 static bool get_event(struct source *source, struct event *event)
 {
-    struct source_touch *touch = touch_of(source);
-    if (swallow_owed(&touch->swallow, event)) {
-        return true;
-    }
-    while (source_take(&touch->queue, event)) {
-        if (swallow_pass(&touch->swallow, event)) {
-            return true;
-        }
-    }
-    return false;
+    return source_take(&touch_of(source)->queue, event);
 }
 
 static bool get_line(struct source *source, char *line, int size)
@@ -418,9 +407,4 @@ struct source *source_touch_create(const struct source_touch_def *def, struct de
     }
     dispatch(&touch->source); /* what is plugged in */
     return &touch->source;
-}
-
-void source_touch_swallow(struct source *source)
-{
-    swallow_begin(&touch_of(source)->swallow);
 }

@@ -1,6 +1,5 @@
 #include "texture.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 
 #include <GLES3/gl31.h>

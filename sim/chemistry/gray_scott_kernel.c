@@ -1,8 +1,6 @@
 /* The row kernels of Gray-Scott, compiled once for each width of vectors (see CMakeLists.txt). */
 #include "gray_scott_kernel.h"
 
-#include <math.h>
-
 #include "lanes.h"
 
 #define LIMIT(value)                                                                                                   \

@@ -1,7 +1,6 @@
 #include "first_passage.h"
 
 #include <float.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 #define DIAGONAL 1.41421356f

@@ -1,5 +1,4 @@
 /* Which candidate is next. */
-#include <stdlib.h>
 
 #include "exponential.h"
 #include "laplacian_state.h"

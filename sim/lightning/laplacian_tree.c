@@ -1,6 +1,5 @@
 #include "laplacian_tree.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

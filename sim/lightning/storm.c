@@ -1,6 +1,5 @@
 #include "storm.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 #include <float.h>
 #include <math.h>
-#include <stddef.h>
 
 #include "first_passage.h"
 #include "random.h"

@@ -1,5 +1,4 @@
 #include <math.h>
-#include <stddef.h>
 
 #include "branches_work.h"
 

@@ -1,7 +1,6 @@
 #include "garden.h"
 
 #include <float.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /* What a garden grows in: the picture on the lattice of the sheet. */
 #include <float.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

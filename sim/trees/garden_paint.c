@@ -1,6 +1,5 @@
 /* What has grown in a garden, as pixels: band by band, each of which fits into the cache. */
 #include <float.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

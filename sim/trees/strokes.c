@@ -1,6 +1,5 @@
 #include "strokes.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "random.h"

@@ -1,5 +1,4 @@
 /* Every kind of Laplacian growth as it looks, and what tells them apart. */
-#include <math.h>
 #include <stdlib.h>
 
 #include "bolt_shape.h"

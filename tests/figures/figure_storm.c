@@ -1,6 +1,5 @@
 /* A storm over time: a strike, a coral between two hands, two rivers that keep clear of each other. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bolt_light.h"

@@ -2,7 +2,7 @@
  *
  *     touch_probe [--rotation DEGREES] [--hold CONSOLE] [--pointers] [--staff NAME]
  *
- * Keyboards of that name are bound with F1. Standard input: "devices", "swallow", "count", "quiet" and "loud" (fingers
+ * Keyboards of that name are bound with F1. Standard input: "devices", "count", "quiet" and "loud" (fingers
  * are counted, or printed too), "nap" (a second without listening), "console" (what the VT in front makes
  * of keys: 4 is nothing), "quit". */
 #include <fcntl.h>
@@ -118,9 +118,6 @@ static bool obey(struct source *source, struct seen *seen)
     text[length > 0 ? length : 0] = '\0';
     if (strncmp(text, "devices", 7) == 0) {
         say_devices(source);
-    } else if (strncmp(text, "swallow", 7) == 0) {
-        source_touch_swallow(source);
-        printf("swallowing\n");
     } else if (strncmp(text, "count", 5) == 0) {
         printf("downs %u left %u twice %u\n", seen->downs, seen->left, seen->twice);
     } else if (strncmp(text, "quiet", 5) == 0 || strncmp(text, "loud", 4) == 0) {

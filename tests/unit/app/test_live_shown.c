@@ -14,8 +14,9 @@
 #include "bench.h"
 #include "display_source.h"
 #include "live_loop.h"
+#include "patience.h"
 
-enum { WIDTH = 320, HEIGHT = 200, BYTES = WIDTH * HEIGHT * 3, PATIENCE_S = 60 };
+enum { WIDTH = 320, HEIGHT = 200, BYTES = WIDTH * HEIGHT * 3, PATIENCE_S = 60 * SLOWER };
 
 static const char LIGHTNING[] = "  - {tick: 0, conduct: {lightning: kind, value: 0}}\n"
                                 "  - {tick: 0, conduct: {lightning: life, value: 0}}\n";
@@ -101,7 +102,7 @@ static void settle(struct place *place, bool growing)
         const struct live_scene_draw *draw = &place->live.scene_draw;
         bool still = !draw->dish.layer.drawer.type->moves(&draw->dish.layer.drawer, NULL) &&
                      !draw->bolts.layer.drawer.type->moves(&draw->bolts.layer.drawer, NULL);
-        calm = still && (growing || !draw->bolts.layer.shown || draw->bolts.layer.newest->calm) &&
+        calm = still && place->live.picture.picture && (growing || !draw->bolts.layer.shown || draw->bolts.layer.newest->calm) &&
                (growing || (live_scene_is_calm(place->live.scene) && !live_scene_draw_moves(draw)));
     }
 }

@@ -20,10 +20,11 @@
 #include "bench.h"
 #include "display_source.h"
 #include "live_loop.h"
+#include "patience.h"
 #include "pictures.h"
 #include "source_fake.h"
 
-enum { WIDTH = 320, HEIGHT = 200, PATIENCE_S = 60, SEEDS = 2, DARK = 90, SOME = 150 /* pixels */ };
+enum { WIDTH = 320, HEIGHT = 200, PATIENCE_S = 60 * SLOWER, SEEDS = 2, DARK = 90, SOME = 150 /* pixels */ };
 
 static const char EXHIBIT[] = "exhibit: 1\n"
                               "display: {width: 530}\n"

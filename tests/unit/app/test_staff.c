@@ -7,8 +7,6 @@
 
 #include <cmocka.h>
 
-#include <math.h>
-
 #include "random.h"
 #include "staff.h"
 

@@ -14,9 +14,10 @@
 
 #include "display.h"
 #include "near.h"
+#include "patience.h"
 #include "studio.h"
 
-enum { SIZE = 96, PATIENCE_MS = 8000 };
+enum { SIZE = 96, PATIENCE_MS = 8000 * SLOWER };
 
 static const char SCRIPT[] = "frond: 1\n"
                              "canvas: {width: 96, height: 96}\n"
@@ -433,16 +434,16 @@ static void it_rests_while_nobody_looks(void **state)
     place->script->ticks = 1000000;
     open_studio(place, ENGINE_CPU);
     studio_rest(place->studio, true);
-    for (int i = 0; i < 20; i++) {
+    for (int i = 0; i < 20 * SLOWER; i++) {
         nap();
     }
     int64_t ticks = studio_report(place->studio).ticks;
-    for (int i = 0; i < 20; i++) {
+    for (int i = 0; i < 20 * SLOWER; i++) {
         nap();
     }
     assert_int_equal(studio_report(place->studio).ticks, ticks);
     studio_rest(place->studio, false);
-    for (int i = 0; i < 40; i++) {
+    for (int i = 0; i < 40 * SLOWER; i++) {
         nap();
     }
     assert_true(studio_report(place->studio).ticks > ticks);

@@ -158,23 +158,6 @@ static void test_two_fingers_and_a_calibration(void **state)
     assert_int_equal(next_within(bench, 100).kind, EVENT_NONE);
 }
 
-static void test_swallowed(void **state)
-{
-    struct bench *bench = *state;
-    int glass = touch_mock_plug(bench->mock, MOCK_SCREEN, "Glass", NULL, BUS_USB);
-    listen(bench, &(struct source_touch_def){.touchscreens = true});
-    expect_presence(bench, EVENT_ARRIVED);
-    put_down(bench, glass, 0, 100, 100, source_now_us());
-    expect(bench, EVENT_DOWN, 0, .1f, .1f); /* the screen goes on */
-    source_touch_swallow(bench->source);
-    expect(bench, EVENT_CANCEL, 0, .1f, .1f);
-    REPORT(bench, glass, source_now_us(), {EV_ABS, ABS_MT_POSITION_X, 300});
-    lift(bench, glass, 0);
-    assert_int_equal(next_within(bench, 400).kind, EVENT_NONE);
-    put_down(bench, glass, 0, 500, 500, source_now_us());
-    expect(bench, EVENT_DOWN, 0, .5f, .5f);
-}
-
 static void test_unplugged_and_plugged_in_again(void **state)
 {
     struct bench *bench = *state;
@@ -296,7 +279,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_two_fingers_and_a_calibration, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_swallowed, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_unplugged_and_plugged_in_again, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_only_what_is_admitted, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_a_touchpad_is_no_screen, set_up, tear_down),

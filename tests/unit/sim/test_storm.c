@@ -1,6 +1,5 @@
 /* A storm: strikes come to the hand, glow, flicker and are forgotten; what is slow stays, keeps clear of others and of
  * masks, goes with water, and is taken back by who made it; the same actions make the same storm. */
-#include <float.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,5 @@
 /* A storm over its life: water, taking back, limits, what it gives to others, what is said to have changed, and that
  * the same actions make the same. */
-#include <float.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -66,7 +66,6 @@ void swallow_begin(struct swallow *swallow)
     swallow->until_us = 0;
     for (int i = 0; i < swallow->held_count; i++) {
         struct swallow_held *held = &swallow->held[i];
-        held->owed = held->owed || !held->swallowed;
         held->swallowed = true;
         if (held->last.time_us + SWALLOW_GESTURE_US > swallow->until_us) {
             swallow->until_us = held->last.time_us + SWALLOW_GESTURE_US;
@@ -120,19 +119,4 @@ bool swallow_pass(struct swallow *swallow, const struct event *event)
     bool swallowed = takes(swallow, event);
     swallow->held[swallow->held_count++] = (struct swallow_held){.last = *event, .swallowed = swallowed};
     return !swallowed;
-}
-
-bool swallow_owed(struct swallow *swallow, struct event *event)
-{
-    for (int i = 0; i < swallow->held_count; i++) {
-        struct swallow_held *held = &swallow->held[i];
-        if (held->owed) {
-            held->owed = false;
-            *event = held->last;
-            event->kind = is_finger(event) ? EVENT_CANCEL : EVENT_CONTROL;
-            event->value = 0;
-            return true;
-        }
-    }
-    return false;
 }

@@ -8,10 +8,10 @@
  *         }
  *         if (swallow_pass(&swallow, &event)) { act on it }
  *     }
- *     while (swallow_owed(&swallow, &event)) { act on it }
  *
  * Begun with nothing down, the next finger or button to go down is swallowed, until it leaves. Begun with something
- * down, it is that. What goes down within SWALLOW_GESTURE_US of the first that was swallowed belongs to it. */
+ * down, it is that, and who saw it go down lets it go unasked. What goes down within SWALLOW_GESTURE_US of the first
+ * that was swallowed belongs to it. */
 #ifndef FROND_SWALLOW_H
 #define FROND_SWALLOW_H
 
@@ -23,7 +23,6 @@ struct swallow { /* all zero: passes everything */
     struct swallow_held {
         struct event last; /* of a finger or a button that is down */
         bool swallowed;
-        bool owed; /* it was passed when it went down, and must still come up for those who saw that */
     } held[SWALLOW_HELD];
     int held_count; /* more at a time are passed as they are */
     bool begun;     /* the next that goes down is swallowed */
@@ -34,8 +33,5 @@ struct swallow { /* all zero: passes everything */
 void swallow_begin(struct swallow *swallow);
 /* Every event goes through here, swallowed or not. False: nobody shall act on it. */
 bool swallow_pass(struct swallow *swallow, const struct event *event);
-/* What passed when it went down and was swallowed later is taken back: a finger is cancelled, a button comes up. To be
- * asked after swallow_begin, before the next swallow_pass. False: nothing more is owed. */
-bool swallow_owed(struct swallow *swallow, struct event *event);
 
 #endif
