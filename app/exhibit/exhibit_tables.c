@@ -1,6 +1,7 @@
 #include <string.h>
 
 #include "exhibit_read.h"
+#include "key_rows.h"
 #include "script_read.h"
 #include "transition.h"
 
@@ -26,30 +27,6 @@ _Static_assert(offsetof(struct exhibit_display, mode_height) ==
                    offsetof(struct exhibit_display, mode_width) + sizeof(int),
                "KEY_SIZE is two ints, one after the other");
 
-#define SECTION(name, text)                                                                                            \
-    {                                                                                                                  \
-        name, KEY_CHOICE, "section", 0, 0, 0, NULL, 0, false, text                                                     \
-    }
-#define TEXT(name, type, field, unit, most, need, text)                                                                \
-    {                                                                                                                  \
-        name, KEY_TEXT, unit, 1, most, 0, NULL, offsetof(type, field), need, text                                      \
-    }
-#define FLAG(name, type, field, def, text)                                                                             \
-    {                                                                                                                  \
-        name, KEY_FLAG, "", 0, 1, def, NULL, offsetof(type, field), false, text                                        \
-    }
-#define WHOLE(name, type, field, unit, min, max, def, need, text)                                                      \
-    {                                                                                                                  \
-        name, KEY_INTEGER, unit, min, max, def, NULL, offsetof(type, field), need, text                                \
-    }
-#define NUMBER(name, type, field, unit, min, max, def, text)                                                           \
-    {                                                                                                                  \
-        name, KEY_NUMBER, unit, min, max, def, NULL, offsetof(type, field), false, text                                \
-    }
-#define CHOICE(name, type, field, list, def, text)                                                                     \
-    {                                                                                                                  \
-        name, KEY_CHOICE, "", 0, 0, def, list, offsetof(type, field), false, text                                      \
-    }
 #define ZONE(name, type, field, top, need, text)                                                                       \
     {                                                                                                                  \
         name, KEY_ZONE, "of the sheet", 0, 1, top, NULL, offsetof(type, field), need, text                             \
@@ -57,10 +34,6 @@ _Static_assert(offsetof(struct exhibit_display, mode_height) ==
 #define TIME(name, type, field, text)                                                                                  \
     {                                                                                                                  \
         name, KEY_TIME, "", 0, 1440, 0, NULL, offsetof(type, field), true, text                                        \
-    }
-#define END                                                                                                            \
-    {                                                                                                                  \
-        .name = NULL                                                                                                   \
     }
 
 #define EXHIBIT struct exhibit
@@ -70,7 +43,7 @@ const struct key exhibit_keys[] = {
     SECTION("title", "What the exhibit is called, by language: {en: ..., fr: ...}."),
     SECTION("display", "The screen, and where it hangs or lies."),
     SECTION("sheet", "The grid that is painted on."),
-    CHOICE("engine", EXHIBIT, engine, ENGINES, ENGINE_AUTO,
+    CHOICE("engine", EXHIBIT, engine, ENGINES, ENGINE_AUTO, false,
            "What computes the painting; auto: the faster of the two on this machine."),
     SECTION("languages", "A list of the languages that visitors may choose, the first one shown first; [en] if left "
                          "out."),
@@ -105,11 +78,12 @@ const struct key display_keys[] = {
          "The socket of the screen, HDMI-A-1; the first one with a screen if left out."),
     {"mode", KEY_SIZE, "pixels", 1, 8192, 0, NULL, offsetof(DISPLAY, mode_width), false,
      "What the screen shows, 1920x1080; what it prefers if left out."},
-    NUMBER("refresh", DISPLAY, refresh, "Hz", 0, 240, 0, "Pictures a second; 0: what the screen prefers."),
-    CHOICE("rotation", DISPLAY, rotation, TURNS, 0, "Degrees clockwise that picture and touch are turned, together."),
-    NUMBER("width", DISPLAY, width, "mm", 100, 5000, 530,
+    NUMBER("refresh", DISPLAY, refresh, "Hz", 0, 240, 0, false, "Pictures a second; 0: what the screen prefers."),
+    CHOICE("rotation", DISPLAY, rotation, TURNS, 0, false,
+           "Degrees clockwise that picture and touch are turned, together."),
+    NUMBER("width", DISPLAY, width, "mm", 100, 5000, 530, false,
            "Width of the picture as it is looked at; what makes a button as large as a fingertip."),
-    NUMBER("floor", DISPLAY, floor, "mm", 0, 3000, 800,
+    NUMBER("floor", DISPLAY, floor, "mm", 0, 3000, 800, false,
            "Height of its lower edge over the floor; buttons stay within reach of a wheelchair."),
     FLAG("lying", DISPLAY, lying, 0, "Whether the screen lies as a table: nothing is out of reach by its height."),
     END,
@@ -137,10 +111,10 @@ const struct key palettes_keys[] = {
 const struct key scene_keys[] = {
     TEXT("id", SCENE, id, "a word", ID_BYTES, true, "What the staff's view and the log call the scene."),
     SECTION("title", "What visitors call it, by language: {en: ..., fr: ...}."),
-    CHOICE("kind", SCENE, kind, scene_kind_names, SCENE_PAINTING,
+    CHOICE("kind", SCENE, kind, scene_kind_names, SCENE_PAINTING, false,
            "What it is: ink on a wet sheet, trees and dendrites that grow over pictures, lightning and all else that "
            "grows as it does, or chemicals that react."),
-    CHOICE("leave", SCENE, leave, transition_names, TRANSITION_WASH,
+    CHOICE("leave", SCENE, leave, transition_names, TRANSITION_WASH, false,
            "How it goes when another scene comes or the visit ends: water washes it down, the sheet dries from its "
            "edges, or frost grows over it and melts."),
     SECTION("trees", "How they grow in a scene of trees, as `frond grow` does it, and over which picture first."),
@@ -177,8 +151,8 @@ const struct key hud_keys[] = {
     FLAG("seated", HUD, seated, 1,
          "Whether there is a button that brings the whole sheet within a seated visitor's reach."),
     FLAG("language", HUD, language, 1, "Whether there is a button for the next language, where there are several."),
-    NUMBER("target", HUD, target, "mm", 15, 60, 18, "Side of a button."),
-    NUMBER("opacity", HUD, opacity, "", 0.3, 1, 0.85, "How solid the palette is while nobody touches it."),
+    NUMBER("target", HUD, target, "mm", 15, 60, 18, false, "Side of a button."),
+    NUMBER("opacity", HUD, opacity, "", 0.3, 1, 0.85, false, "How solid the palette is while nobody touches it."),
     END,
 };
 
@@ -187,33 +161,35 @@ const struct key seat_keys[] = {
     ZONE("zone", SEAT, zone, 0, true, "The part of the sheet whose fingers are this visitor's."),
     {"ink", KEY_INK, "", 0, 0, -1, NULL, offsetof(SEAT, ink), false,
      "The only ink of this place, one of every scene; chosen on the palette if left out."},
-    CHOICE("side", SEAT, side, SIDES, SIDE_OF_LEFT, "The side of the zone where its palette is; none: it has none."),
+    CHOICE("side", SEAT, side, SIDES, SIDE_OF_LEFT, false,
+           "The side of the zone where its palette is; none: it has none."),
     END,
 };
 
 #define VISIT struct exhibit_visit
 const struct key visit_keys[] = {
-    NUMBER("idle", VISIT, idle, "s", 5, 3600, 60, "How long nobody does anything until the countdown begins."),
-    NUMBER("countdown", VISIT, countdown, "s", 3, 120, 15, "How long the countdown is; any input ends it."),
-    NUMBER("thanks", VISIT, thanks, "s", 0, 60, 6,
+    NUMBER("idle", VISIT, idle, "s", 5, 3600, 60, false, "How long nobody does anything until the countdown begins."),
+    NUMBER("countdown", VISIT, countdown, "s", 3, 120, 15, false, "How long the countdown is; any input ends it."),
+    NUMBER("thanks", VISIT, thanks, "s", 0, 60, 6, false,
            "How long a finished picture is looked at before it is washed away."),
-    NUMBER("wash", VISIT, wash, "s", 1, 30, 5,
+    NUMBER("wash", VISIT, wash, "s", 1, 30, 5, false,
            "How long the water takes across the sheet; a sheet that dries or freezes, three seconds at the least."),
-    NUMBER("attract", VISIT, attract, "s", 20, 1800, 120,
+    NUMBER("attract", VISIT, attract, "s", 20, 1800, 120, false,
            "How long a painting takes that the sheet paints by itself, with the rest after it."),
     WHOLE("next_scene", VISIT, next_scene, "paintings", 0, 1000, 1, false,
           "After how many of those the next scene comes; 0: the scene stays."),
-    NUMBER("hide", VISIT, hide, "s", 0, 60, 1.5, "How long hands are busy until the palette goes out of their way."),
+    NUMBER("hide", VISIT, hide, "s", 0, 60, 1.5, false,
+           "How long hands are busy until the palette goes out of their way."),
     END,
 };
 
 #define ACCESS struct exhibit_access
 const struct key access_keys[] = {
-    NUMBER("scan", ACCESS, scan, "s", 0, 60, 0,
+    NUMBER("scan", ACCESS, scan, "s", 0, 60, 0, false,
            "How long a line takes across the sheet, for those who have one switch; 0: there is none."),
-    NUMBER("dwell", ACCESS, dwell, "s", 0, 10, 0,
+    NUMBER("dwell", ACCESS, dwell, "s", 0, 10, 0, false,
            "How long a finger or a cursor rests until a drop falls; 0: none falls."),
-    NUMBER("dwell_radius", ACCESS, dwell_radius, "mm", 2, 60, 12, "How far it may stray and still rests."),
+    NUMBER("dwell_radius", ACCESS, dwell_radius, "mm", 2, 60, 12, false, "How far it may stray and still rests."),
     ZONE("zone", ACCESS, zone, 0.5, false, "The part of the sheet that stands for all of it to a seated visitor."),
     END,
 };
@@ -233,7 +209,7 @@ const struct key gallery_keys[] = {
     WHOLE("pictures", GALLERY, pictures, "pictures", 1, 100000, 500, false,
           "How many are kept; the oldest one goes first."),
     WHOLE("megabytes", GALLERY, megabytes, "MB", 1, 100000, 500, false, "How much all of them may take together."),
-    NUMBER("slides", GALLERY, slides, "s", 0, 120, 8,
+    NUMBER("slides", GALLERY, slides, "s", 0, 120, 8, false,
            "How long one of them is shown between two paintings that the sheet paints by itself; 0: none is."),
     TEXT("stick", GALLERY, stick, "a word", ID_BYTES, false,
          "The folder on a USB stick of the staff that the gallery is copied to; frond-gallery if left out."),
@@ -245,8 +221,8 @@ const struct key staff_keys[] = {
     SECTION("taps",
             "A list of 3 to 8 corners: top left, top right, bottom right, bottom left; these four in this order "
             "if left out."),
-    NUMBER("within", STAFF, within, "s", 0.3, 10, 2, "How long it may take from one tap to the next."),
-    NUMBER("hold", STAFF, hold, "s", 0.5, 10, 3, "How long the last corner is held."),
+    NUMBER("within", STAFF, within, "s", 0.3, 10, 2, false, "How long it may take from one tap to the next."),
+    NUMBER("hold", STAFF, hold, "s", 0.5, 10, 3, false, "How long the last corner is held."),
     END,
 };
 

@@ -1,6 +1,7 @@
 #include "exhibit.h"
 #include "hid_report.h"
 #include "inputs_read.h"
+#include "key_rows.h"
 
 static const char *const VISITORS[] = {"each", "shared", NULL};
 static const char *const BIASES[] = {"as is", "none", "pull up", "pull down", NULL};
@@ -15,34 +16,6 @@ static const char *const PARAMETERS_OF_DROPS[] = {"radius", "solvent", "amount",
 
 enum { ID_BYTES = 40, NAME_BYTES = 63 };
 
-#define SECTION(name, text)                                                                                            \
-    {                                                                                                                  \
-        name, KEY_CHOICE, "section", 0, 0, 0, NULL, 0, false, text                                                     \
-    }
-#define TEXT(key, type, field, unit, most, need, text)                                                                 \
-    {                                                                                                                  \
-        key, KEY_TEXT, unit, 1, most, 0, NULL, offsetof(type, field), need, text                                       \
-    }
-#define FLAG(name, type, field, def, text)                                                                             \
-    {                                                                                                                  \
-        name, KEY_FLAG, "", 0, 1, def, NULL, offsetof(type, field), false, text                                        \
-    }
-#define WHOLE(name, type, field, unit, min, max, def, need, text)                                                      \
-    {                                                                                                                  \
-        name, KEY_INTEGER, unit, min, max, def, NULL, offsetof(type, field), need, text                                \
-    }
-#define NUMBER(name, type, field, unit, min, max, def, need, text)                                                     \
-    {                                                                                                                  \
-        name, KEY_NUMBER, unit, min, max, def, NULL, offsetof(type, field), need, text                                 \
-    }
-#define CHOICE(name, type, field, list, def, need, text)                                                               \
-    {                                                                                                                  \
-        name, KEY_CHOICE, "", 0, 0, def, list, offsetof(type, field), need, text                                       \
-    }
-#define END                                                                                                            \
-    {                                                                                                                  \
-        .name = NULL                                                                                                   \
-    }
 
 const struct key inputs_keys[] = {
     WHOLE("inputs", struct inputs, version, "", INPUTS_VERSION, INPUTS_VERSION, INPUTS_VERSION, true,

@@ -225,9 +225,11 @@ static void add_scalar(struct building *building, const struct fy_event_scalar_d
     bool key = expects_key(building);
     refuse(building, scalar->anchor, "an anchor");
     refuse(building, scalar->tag, "a tag");
-    struct yaml_node *node = add(building, YAML_SCALAR, scalar->value);
     size_t length = 0;
     const char *text = scalar->value ? fy_token_get_text(scalar->value, &length) : "";
+    bool plain = !scalar->value || fy_token_scalar_style(scalar->value) == FYSS_PLAIN;
+    /* Nothing has a place in some versions of libfyaml and none in others: it stands where its key does. */
+    struct yaml_node *node = add(building, YAML_SCALAR, plain && length == 0 ? NULL : scalar->value);
     char *copy = node ? take(building->yaml, length + 1) : NULL;
     if (!copy || !text) {
         building->failed = true;
@@ -236,7 +238,7 @@ static void add_scalar(struct building *building, const struct fy_event_scalar_d
     memcpy(copy, text, length);
     copy[length] = '\0';
     node->text = copy;
-    node->plain = !scalar->value || fy_token_scalar_style(scalar->value) == FYSS_PLAIN;
+    node->plain = plain;
     if (memchr(copy, '\0', length)) {
         report_add(building->report, node->line, node->column, "", "a NUL character; a script is UTF-8 text");
         node->kind = YAML_REFUSED;

@@ -1,4 +1,4 @@
-/* What fingers on the palette mean, and when it is out of the way (app/visit/hud.h). */
+/* What fingers on the palette mean, and when it is out of the way (app/hud/hud.h). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

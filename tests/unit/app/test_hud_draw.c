@@ -1,4 +1,4 @@
-/* What is drawn beside the painting (app/visit/hud_draw.h): when it is drawn anew, that nothing is missing, that every
+/* What is drawn beside the painting (app/hud/hud_draw.h): when it is drawn anew, that nothing is missing, that every
  * character has a shape. What it looks like: tests/figures, figure visit. */
 #include <setjmp.h>
 #include <stdarg.h>

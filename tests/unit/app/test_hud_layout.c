@@ -1,4 +1,4 @@
-/* Where the palette's buttons are (app/visit/hud_layout.h): every screen, side, hand, language, number of seats and
+/* Where the palette's buttons are (app/hud/hud_layout.h): every screen, side, hand, language, number of seats and
  * tools. */
 #include <setjmp.h>
 #include <stdarg.h>

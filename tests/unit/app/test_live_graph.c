@@ -1,4 +1,4 @@
-/* What scenes take from one another, grown on a thread (app/live/live_graph.h). */
+/* What scenes take from one another, grown on a thread (app/graph/live_graph.h). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* Lightning cracks a glaze: what visitors strike in one scene is the mask of the painting that follows, by the real
- * parts: the scene's thread (app/live/live_scene.h) and what scenes take from one another (app/live/live_graph.h). */
+ * parts: the scene's thread (app/scene/live_scene.h) and what scenes take from one another (app/graph/live_graph.h). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
