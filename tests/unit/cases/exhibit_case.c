@@ -1,7 +1,5 @@
-#define _XOPEN_SOURCE 700 /* nftw */
 #include "exhibit_case.h"
 
-#include <ftw.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -14,6 +12,7 @@
 #include <cmocka.h>
 
 #include "beneath.h"
+#include "folder_case.h"
 #include "script_case.h"
 #include "yaml.h"
 
@@ -67,17 +66,9 @@ const char *exhibit_case_folder(void)
     return folder;
 }
 
-static int remove_one(const char *path, const struct stat *status, int kind, struct FTW *at)
-{
-    (void)status;
-    (void)kind;
-    (void)at;
-    return remove(path);
-}
-
 void exhibit_case_remove(void)
 {
-    nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+    assert_true(folder_case_remove(folder));
 }
 
 int exhibit_case_begin(void **state)
