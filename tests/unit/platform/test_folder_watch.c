@@ -7,13 +7,14 @@
 
 #include <cmocka.h>
 #include <fcntl.h>
-#include <ftw.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "folder_watch.h"
 
 enum { MS = 1000, PATH_SIZE = 256 };
@@ -34,21 +35,13 @@ static int open_bench(void **state)
     return bench->watch && mkdtemp(bench->root) && chdir(bench->root) == 0 ? 0 : -1;
 }
 
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
-}
-
 static int close_bench(void **state)
 {
     struct bench *bench = *state;
     folder_watch_destroy(bench->watch);
-    int status = nftw(bench->root, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    bool removed = folder_case_remove(bench->root);
     free(bench);
-    return status;
+    return removed ? 0 : -1;
 }
 
 static void put(const char *path, const char *text)

@@ -1,18 +1,17 @@
 /* Temperature and throttling, as boards tell them, from made-up trees of sysfs. */
-#define _XOPEN_SOURCE 700 /* nftw */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <ftw.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "folder_case.h"
 #include "thermal.h"
 
 enum { SECOND = 1000000 };
@@ -24,19 +23,11 @@ static int make_root(void **state)
     return root && mkdtemp(root) ? 0 : 1;
 }
 
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
-}
-
 static int remove_root(void **state)
 {
-    int status = nftw(*state, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    bool removed = folder_case_remove(*state);
     free(*state);
-    return status;
+    return removed ? 0 : -1;
 }
 
 /* Writes a file of the tree, its folders first. */
