@@ -159,9 +159,7 @@ static void lay(struct painting_gpu *gpu, const struct action *action)
     if (rectangle_is_empty(deposit->cells)) {
         return;
     }
-    bool brings_liquid = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_SOLVENT ||
-                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET || action->verb == ACTION_RINSE;
-    if (brings_liquid) {
+    if (deposit_is_wet(deposit)) {
         gpu_steps_mark(gpu, deposit->cells, BIT_WET);
     }
     gpu_steps_touch(gpu, deposit->cells);

@@ -6,22 +6,14 @@
 
 #include "laplacian_boundary.h"
 #include "laplacian_state.h"
+#include "vectors.h"
 
 static const float OFF_GRID_SPACING = 0.7f;
 enum { QUICK_FROM = 3000 /* candidates from which the fast method is quicker */ };
 
 const struct laplacian_kernels *laplacian_kernels_best(void)
 {
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512dq")) {
-        return &laplacian_kernels_avx512;
-    }
-    if (__builtin_cpu_supports("avx2")) {
-        return &laplacian_kernels_avx2;
-    }
-#endif
-    return &laplacian_kernels_narrow;
+    return VECTORS_COPY(laplacian_kernels, VECTORS_BEST);
 }
 
 static bool are_finite(const float *values, int count)

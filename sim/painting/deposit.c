@@ -132,6 +132,12 @@ void deposit_begin(struct deposit *deposit, const struct ground *ground, const s
     deposit->part.y1 = deposit->part.y0;
 }
 
+bool deposit_is_wet(const struct deposit *deposit)
+{
+    return deposit->verb == ACTION_DROP || deposit->verb == ACTION_BRUSH_SOLVENT || deposit->verb == ACTION_BRUSH_INK ||
+           deposit->verb == ACTION_WET || deposit->verb == ACTION_RINSE;
+}
+
 bool deposit_next(struct deposit *deposit)
 {
     struct rectangle *part = &deposit->part;

@@ -49,6 +49,8 @@ void deposit_finish(struct deposit *deposit);
 
 /* `action` is legal (action_legal). The ground may have had the action already or not, it makes no difference. */
 void deposit_begin(struct deposit *deposit, const struct ground *ground, const struct action *action);
+/* Whether it may bring liquid to its cells. */
+bool deposit_is_wet(const struct deposit *deposit);
 /* Fills in the next part; false when there is none. */
 bool deposit_next(struct deposit *deposit);
 

@@ -218,19 +218,6 @@ static bool set_local(const struct ground *ground, struct local *local, size_t c
     return true;
 }
 
-static float in_range(const struct key *key, float value)
-{
-    if (key->type == KEY_CHOICE) {
-        int last = 0;
-        while (key->choices[last + 1]) {
-            last++;
-        }
-        return value <= 0.0f ? 0.0f : value > (float)last ? (float)last : floorf(value);
-    }
-    value = value >= (float)key->min ? value : (float)key->min;
-    return value <= (float)key->max ? value : (float)key->max;
-}
-
 /* The value for the whole sheet, kept for what does not vary and for a sheet made fresh. */
 static void set_everywhere(struct ground *ground, const struct key *key, float value)
 {
@@ -273,11 +260,11 @@ struct rectangle ground_set(struct ground *ground, const struct action *action)
     struct canvas canvas = painting_canvas(&ground->def);
     struct region disc = region_of(&canvas, &place);
     if (disc.kind == REGION_ALL) {
-        set_everywhere(ground, key, in_range(key, action->value));
+        set_everywhere(ground, key, key_bound(key, action->value));
     }
     for (int y = disc.cells.y0; y < disc.cells.y1; y++) {
         for (int x = disc.cells.x0; x < disc.cells.x1; x++) {
-            float share, value = in_range(key, value_for(ground, action, &disc, x, y, &share));
+            float share, value = key_bound(key, value_for(ground, action, &disc, x, y, &share));
             struct local local = read_local(ground, x, y), wanted = local;
             if (!set_local(ground, &wanted, key->offset, value, x, y)) {
                 return (struct rectangle){0, ground->width, 0, ground->height};

@@ -11,22 +11,6 @@ struct painting_def painting_default_def(void)
     return (struct painting_def){.width = 720, .height = 720, .seed = 1, .coefficients = coefficients_default()};
 }
 
-static const struct kernels *choose_kernels(enum painting_vectors vectors)
-{
-#if defined(__x86_64__)
-    bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
-    if (wide && (vectors == VECTORS_BEST || vectors == VECTORS_AVX512)) {
-        return &kernels_avx512;
-    }
-    if (__builtin_cpu_supports("avx2") && vectors != VECTORS_NARROW) {
-        return &kernels_avx2;
-    }
-#endif
-    (void)vectors;
-    return &kernels_narrow;
-}
-
 static void *take(struct painting *painting, size_t count, size_t size)
 {
     return memory_take(count, size, &painting->bytes);
@@ -115,7 +99,7 @@ struct painting *painting_create(const struct painting_def *def)
     painting->width = def->width + 2 * def->margin;
     painting->height = def->height + 2 * def->margin;
     painting->stride = ground_stride(painting->width);
-    painting->kernels = choose_kernels(def->vectors);
+    painting->kernels = VECTORS_COPY(kernels, def->vectors);
     painting->team = team_create(def->threads);
     if (!painting->team ||
         !tiles_init(&painting->tiles, painting->width, painting->height, team_size(painting->team)) ||

@@ -25,16 +25,10 @@
 #include "action.h"
 #include "canvas.h"
 #include "coefficients.h"
+#include "vectors.h"
 
 enum {
     PAINTING_INKS = 4, /* inks that a painting carries */
-};
-
-enum painting_vectors {
-    VECTORS_BEST,   /* the widest that this machine has */
-    VECTORS_NARROW, /* SSE2 or NEON */
-    VECTORS_AVX2,
-    VECTORS_AVX512,
 };
 
 struct painting_def {
@@ -44,7 +38,7 @@ struct painting_def {
     uint32_t seed; /* of the static noise and of everything random */
     int threads;   /* 0: one for each processor */
     bool dense;    /* keep every tile awake: for tests and measurements, the bits are the same */
-    enum painting_vectors vectors; /* wider than the machine has: the widest it has */
+    enum vectors vectors; /* wider than the machine has: the widest it has */
     struct coefficients coefficients;
 };
 

@@ -185,9 +185,7 @@ static void lay(struct painting *painting, const struct action *action)
         }
     }
     struct rectangle cells = deposit->cells;
-    bool brings_liquid = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_SOLVENT ||
-                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET || action->verb == ACTION_RINSE;
-    if (brings_liquid) {
+    if (deposit_is_wet(deposit)) {
         tiles_mark(&painting->tiles, TILE_WET, cells.x0, cells.x1, cells.y0, cells.y1);
     }
     touch(painting, cells);
