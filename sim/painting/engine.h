@@ -20,8 +20,8 @@ struct engine_ops {
     int64_t (*ticks)(const struct engine *engine);                   /* as painting_ticks */
     struct painting_def (*get_def)(const struct engine *engine);     /* as painting_get_def */
     size_t (*bytes)(const struct engine *engine);                    /* of its state: memory, or the GPU's */
-    /* These wait until all that was asked is done, and read back from a GPU: not for the way of a frame. What a lost GPU
-     * held reads as 0. */
+    /* These wait until all that was asked is done, and read back from a GPU: not for the way of a frame. What a lost
+     * GPU held reads as 0. */
     void (*finish)(struct engine *engine);
     void (*read)(struct engine *engine, enum painting_field field, float *plane); /* as painting_read */
     struct painting_totals (*totals)(struct engine *engine);                      /* as painting_totals */

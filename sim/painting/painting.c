@@ -52,8 +52,8 @@ static void free_rows(struct bench_rows *rows)
 /* Room for the halos of the dense runs, which always suffices, and at least eight bytes a cell for many small ones. */
 static bool take_halo(struct painting *painting)
 {
-    struct halo_layout fluid = {painting->fluid, FLUID_FIELDS, FLUID_LEVELS - 1};
-    struct halo_layout pattern = {painting->pattern, PATTERN_FIELDS, PATTERN_LEVELS - 1};
+    struct halo_layout fluid = {painting->fluid, FLUID_FIELDS, FLUID_STEPS_MOST};
+    struct halo_layout pattern = {painting->pattern, PATTERN_FIELDS, PATTERN_STEPS_MOST};
     tiles_wake(&painting->tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, true);
     size_t need = halo_need(painting, &fluid), other = halo_need(painting, &pattern);
     size_t least = 2 * (size_t)painting->width * (size_t)painting->height;
