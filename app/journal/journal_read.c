@@ -269,7 +269,7 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
         cursor_text(body, name);
         if (!journal_value_of(key, name, &value)) {
             reader->skipped++;
-            *known = *known && !action_options(key->type);
+            *known = *known && !action_options(key);
         }
         store(action, key, &value, sizeof value);
         return true;

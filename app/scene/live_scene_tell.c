@@ -41,6 +41,7 @@ static void begin_scene(struct live_scene *live, enum scene_kind kind, const cha
 {
     enum scene_kind before = live->sheet.kind;
     live->sheet.kind = kind;
+    live->sheet.shows = live->types[kind] ? live->types[kind]->shows : SHOW_PICTURE;
     snprintf(live->id, sizeof live->id, "%s", id);
     live->cells = width;
     live->sheet.number += before != SCENE_PAINTING || kind != SCENE_PAINTING;
@@ -99,8 +100,7 @@ static void rinse(struct live_scene *live, const struct action *action)
 /* Scenes hear of everything; a garden leaves most alone. */
 static bool is_wanted(enum scene_kind kind, enum action_verb verb)
 {
-    bool both = verb == ACTION_CLEAR || verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_RINSE;
-    return kind != SCENE_PAINTING && (kind != SCENE_TREES || garden_takes(verb) || both);
+    return kind != SCENE_PAINTING && (kind != SCENE_TREES || scene_takes(kind, verb));
 }
 
 static void act(struct live_scene *live, int64_t tick, const struct action *action)

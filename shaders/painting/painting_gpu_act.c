@@ -138,7 +138,7 @@ static void apply_part(struct painting_gpu *gpu)
     upload_part(gpu->act);
     gpu_use(gpu, PROGRAM_DEPOSIT);
     glUniform4i(2, part.x0, part.x1, part.y0, part.y1);
-    glUniform4i(3, left, top, (int)deposit->verb, deposit->ink);
+    glUniform4i(3, left, top, (int)deposit->law, deposit->ink);
     glUniform3f(4, deposit->solvent, deposit->amount, CARVED_DEPTH);
     glUniform3f(5, deposit->water.flow.x, deposit->water.flow.y, deposit->action.strength);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu_buffer_now(gpu, BUFFER_FLUID));
@@ -159,7 +159,7 @@ static void lay(struct painting_gpu *gpu, const struct action *action)
     if (rectangle_is_empty(deposit->cells)) {
         return;
     }
-    if (deposit_is_wet(deposit)) {
+    if (deposit_brings_liquid(deposit)) {
         gpu_steps_mark(gpu, deposit->cells, BIT_WET);
     }
     gpu_steps_touch(gpu, deposit->cells);

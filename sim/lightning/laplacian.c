@@ -31,20 +31,10 @@ static bool is_good_raster(const struct action_raster *raster)
     return !raster->values || (raster->width > 0 && raster->height > 0);
 }
 
-/* Every number within the range of its key. */
 static bool is_good(const struct laplacian_def *def)
 {
-    for (const struct key *key = laplacian_keys; key->name; key++) {
-        const char *at = (const char *)def + key->offset;
-        int whole;
-        float number;
-        memcpy(&whole, at, sizeof whole);
-        memcpy(&number, at, sizeof number);
-        if ((key->type == KEY_NUMBER && !((double)number >= key->min && (double)number <= key->max)) ||
-            (key->type == KEY_INTEGER && (whole < (int)key->min || whole > (int)key->max)) ||
-            (key->type == KEY_CHOICE && (whole < 0 || whole >= LAPLACIAN_METHODS))) {
-            return false;
-        }
+    if (!keys_are_legal(laplacian_keys, def)) {
+        return false;
     }
     if (!is_good_raster(&def->mask) || !is_good_raster(&def->eta_map) || !is_good_raster(&def->outline) ||
         !is_good_raster(&def->environment) || !is_good_raster(&def->background) ||

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "rinse.h"
+#include "rounded.h"
 #include "storm_state.h"
 
 static size_t cells_of(const struct storm *storm)
@@ -66,8 +67,7 @@ void storm_scar_lay(const struct storm *storm, int width, int height, float *val
                 }
             }
             float dark = (float)(255 - most) / 255, *here = &values[(size_t)y * (size_t)width + (size_t)x];
-            dark = (float)(int)(dark * 65536 + 0.5f) / 65536;
-            *here = dark < *here ? dark : *here;
+            *here = dark < *here ? rounded(dark) : *here;
         }
     }
 }

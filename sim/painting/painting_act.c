@@ -143,14 +143,11 @@ static void wet_cell(struct painting *painting, int x, int y, float cover, float
 
 typedef void cell_work(struct painting *painting, int x, int y, float cover, float seed);
 
-static cell_work *const CELL_WORK[ACTION_VERBS] = {
-    [ACTION_DROP] = drop_cell,
-    [ACTION_BRUSH_SOLVENT] = brush_solvent_cell,
-    [ACTION_BRUSH_INK] = brush_ink_cell,
-    [ACTION_DRAW] = draw_cell,
-    [ACTION_POUR] = pour_cell,
-    [ACTION_DRY] = dry_cell,
-    [ACTION_WET] = wet_cell,
+static cell_work *const CELL_WORK[DEPOSIT_LAWS] = {
+    [DEPOSIT_DROP] = drop_cell,     [DEPOSIT_SOLVENT] = brush_solvent_cell,
+    [DEPOSIT_INK] = brush_ink_cell, [DEPOSIT_LINE] = draw_cell,
+    [DEPOSIT_FRESH] = pour_cell,    [DEPOSIT_DRIES] = dry_cell,
+    [DEPOSIT_WETS] = wet_cell,
 };
 
 static void apply_part(struct painting *painting, cell_work *work)
@@ -159,7 +156,7 @@ static void apply_part(struct painting *painting, cell_work *work)
     const float *cover = deposit->cover, *seed = deposit->seed;
     for (int y = deposit->part.y0; y < deposit->part.y1; y++) {
         for (int x = deposit->part.x0; x < deposit->part.x1; x++, cover++, seed++) {
-            if (*cover > 0.0f || (deposit->verb == ACTION_POUR && *seed > 0.0f)) {
+            if (*cover > 0.0f || (deposit->law == DEPOSIT_FRESH && *seed > 0.0f)) {
                 work(painting, x, y, *cover, *seed);
             }
         }
@@ -178,14 +175,14 @@ static void lay(struct painting *painting, const struct action *action)
     struct deposit *deposit = &painting->deposit;
     deposit_begin(deposit, painting->ground, action);
     while (deposit_next(deposit)) {
-        if (deposit->verb == ACTION_RINSE) {
+        if (deposit->law == DEPOSIT_RINSE) {
             painting_rinse(painting);
         } else {
-            apply_part(painting, CELL_WORK[deposit->verb]);
+            apply_part(painting, CELL_WORK[deposit->law]);
         }
     }
     struct rectangle cells = deposit->cells;
-    if (deposit_is_wet(deposit)) {
+    if (deposit_brings_liquid(deposit)) {
         tiles_mark(&painting->tiles, TILE_WET, cells.x0, cells.x1, cells.y0, cells.y1);
     }
     touch(painting, cells);

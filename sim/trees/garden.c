@@ -58,12 +58,6 @@ void garden_resize(struct garden *garden, int width, int height)
     def->height = height;
 }
 
-bool garden_takes(enum action_verb verb)
-{
-    return verb == ACTION_STOCK || verb == ACTION_SHAPE || verb == ACTION_PLANT || verb == ACTION_TEND ||
-           verb == ACTION_HOLD;
-}
-
 static void take_stock(struct garden *garden, const struct action_raster *picture)
 {
     size_t count = (size_t)picture->width * (size_t)picture->height;
