@@ -51,6 +51,8 @@ void key_defaults(const struct key *keys, void *object);
 
 /* A value as a number: choices and flags by theirs from 0; of what is no number 0. */
 float key_value(const struct key *key, const void *object);
+/* A number brought into the key's range, not rounded; NaN becomes the least. */
+float key_bound(const struct key *key, float value);
 /* Sets it, brought into its range (NaN becomes the least) and rounded where it is whole. */
 void key_take(const struct key *key, void *object, float value);
 /* Whether every number, whole number and choice of `object` is within its range. */
