@@ -147,6 +147,15 @@ static void list_options(struct options *options)
     list_table(options, lsystem_keys, offsetof(struct bolt_order, plant.growth));
 }
 
+static void print_plants(void)
+{
+    printf("\nPlants (--lsystem):\n");
+    for (int i = 0; i < LSYSTEM_KINDS; i++) {
+        printf("      %-22s %s\n", lsystem_kind_names[i], lsystem_kind_meanings[i]);
+    }
+    printf("\nOf plants, which take --dimensions, --eta, --seed and --environment too:\n");
+}
+
 static void print_help(const struct options *options)
 {
     fputs(HELP, stdout);
@@ -158,7 +167,7 @@ static void print_help(const struct options *options)
         char range[1400], name[48];
         const struct row *row = &options->rows[i];
         if (row->plant && !options->rows[i - 1].plant) {
-            printf("\nOf plants (--lsystem), which take --dimensions, --eta, --seed and --environment too:\n");
+            print_plants();
         }
         const char *value = row->key->type == KEY_FLAG ? "" : row->key->type == KEY_PICTURE ? " PICTURE" : " VALUE";
         snprintf(name, sizeof name, "--%s%s", row->name, value);
@@ -229,7 +238,7 @@ static bool take_value(struct bolt_order *order, const struct row *row, const ch
     } else if (strcmp(key->name, "span") == 0) {
         float span = order->bolt.growth.span;
         good = take_number(key, text, &span);
-        bolt_respan(&order->bolt, span);
+        bolt_order_respan(order, span);
     } else {
         good = take_number(key, text, field);
     }
