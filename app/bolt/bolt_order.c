@@ -14,6 +14,7 @@ enum { SIZE = 1024, SIDES = 6, FILM = 120, RASTER_SIDE = 1024, PANORAMA_SIDE = 2
 
 #define KEY_AT(field) offsetof(struct bolt_order, field)
 
+const char *const bolt_picture_names[BOLT_PICTURES] = {"mask", "eta_map", "outline", "environment"};
 static const char *const PLANTS[LSYSTEM_KINDS + 2] = {"none", "tree", "vine", "bush", "fan", NULL};
 
 const struct key bolt_order_keys[] = {

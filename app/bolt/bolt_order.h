@@ -13,6 +13,7 @@
 enum { BOLT_OUTPUTS = 8, BOLT_SIDE_MOST = 8192, BOLT_PATH_PLACES = 1024 };
 
 enum bolt_picture { BOLT_MASK, BOLT_ETA_MAP, BOLT_OUTLINE, BOLT_ENVIRONMENT, BOLT_PICTURES };
+extern const char *const bolt_picture_names[BOLT_PICTURES]; /* "mask", ...: as of laplacian_keys */
 
 /* The tables laplacian_keys, bolt_look_keys and bolt_order_keys say units and ranges. Texts belong to whoever made it.
  */

@@ -198,9 +198,8 @@ static bool take_number(const struct key *key, const char *text, float *field)
 
 static void take_picture(struct bolt_order *order, const char *name, const char *path)
 {
-    static const char *const NAMES[BOLT_PICTURES] = {"mask", "eta_map", "outline", "environment"};
     for (int i = 0; i < BOLT_PICTURES; i++) {
-        if (strcmp(NAMES[i], name) == 0) {
+        if (strcmp(bolt_picture_names[i], name) == 0) {
             order->pictures[i] = path;
         }
     }

@@ -47,6 +47,7 @@ enum laplacian_shape {
     LAPLACIAN_STROKE,   /* along a path: `charge` to each cell of its length; in 2D and 3D */
     LAPLACIAN_SHAPES
 };
+extern const char *const laplacian_shape_names[LAPLACIAN_SHAPES + 1]; /* "point", ...; ends with NULL */
 
 /* An attractor or repulsor (section III.E). */
 struct laplacian_charge {
