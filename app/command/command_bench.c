@@ -6,6 +6,7 @@
 
 #include "bench.h"
 #include "command.h"
+#include "json_number.h"
 #include "option.h"
 #include "script_value.h"
 
@@ -37,10 +38,8 @@ static void print_json(const struct bench *bench)
     struct json_object *object = json_object_new_object(), *figures = json_object_new_array();
     for (int i = 0; i < bench->count; i++) {
         struct json_object *figure = json_object_new_object();
-        char text[32];
-        snprintf(text, sizeof text, "%.6g", bench->figures[i].value);
         json_object_object_add(figure, "name", json_object_new_string(bench->figures[i].name));
-        json_object_object_add(figure, "value", json_object_new_double_s(bench->figures[i].value, text));
+        json_object_object_add(figure, "value", json_number(bench->figures[i].value, 6));
         json_object_object_add(figure, "unit", json_object_new_string(bench->figures[i].unit));
         json_object_array_add(figures, figure);
     }

@@ -356,7 +356,7 @@ void laplacian_background(struct laplacian *laplacian, const struct action_raste
 
 void laplacian_eta(struct laplacian *laplacian, float eta)
 {
-    laplacian->def.eta = eta >= 0 ? fminf(eta, 20) : 0; /* NaN becomes the least */
+    key_take(key_find(laplacian_keys, "eta"), &laplacian->def, eta);
     laplacian->def.eta_end = -1;
     laplacian->eta_varies = laplacian->def.eta_map.values;
     laplacian->weighed = false;
