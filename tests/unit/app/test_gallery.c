@@ -1,5 +1,4 @@
 /* The gallery on real folders and disks: what stays, what goes, and what is said. */
-#define _XOPEN_SOURCE 700 /* nftw */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +6,6 @@
 
 #include <cmocka.h>
 #include <dirent.h>
-#include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,43 +14,32 @@
 #include <unistd.h>
 
 #include "disk_case.h"
+#include "folder_case.h"
 #include "gallery.h"
 
 enum { WIDTH = 40, HEIGHT = 30, LIST = 32 };
 
 static const int64_t NOON = 1768478400; /* 2026-01-15 12:00 UTC */
 
-static char root[] = "/tmp/frond-gallery-XXXXXX";
+static char root[FOLDER_CASE_PATH];
 static bool disks; /* can be mounted */
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
-}
 
 static int enter_folder(void **state)
 {
     (void)state;
-    strcpy(root, "/tmp/frond-gallery-XXXXXX");
-    return mkdtemp(root) && chdir(root) == 0 ? 0 : -1;
+    return folder_case_make(root) && chdir(root) == 0 ? 0 : -1;
 }
 
 static int leave_folder(void **state)
 {
     (void)state;
     disk_case_unmount("disk");
-    return chdir("/") == 0 ? nftw(root, remove_one, 16, FTW_DEPTH | FTW_PHYS) : -1;
+    return chdir("/") == 0 && folder_case_remove(root) ? 0 : -1;
 }
 
 static void put(const char *path, const char *text)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static struct gallery *open_gallery(const char *folder, int pictures, int64_t bytes)

@@ -1,6 +1,5 @@
 /* A stick that comes and goes, in made-up lists of mounts and, where that is permitted, in the kernel's; and the
  * gallery copied to it. */
-#define _XOPEN_SOURCE 700 /* nftw */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +7,6 @@
 
 #include <cmocka.h>
 #include <dirent.h>
-#include <ftw.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,42 +15,31 @@
 #include <unistd.h>
 
 #include "disk_case.h"
+#include "folder_case.h"
 #include "gallery_export.h"
 #include "usb_stick.h"
 
 enum { PATH_SIZE = 200 };
 
-static char root[] = "/tmp/frond-stick-XXXXXX";
+static char root[FOLDER_CASE_PATH];
 static bool disks; /* can be mounted */
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
-}
 
 static int enter_folder(void **state)
 {
     (void)state;
-    strcpy(root, "/tmp/frond-stick-XXXXXX");
-    return mkdtemp(root) && chdir(root) == 0 && mkdir("stick", 0777) == 0 && mkdir("g", 0777) == 0 ? 0 : -1;
+    return folder_case_make(root) && chdir(root) == 0 && mkdir("stick", 0777) == 0 && mkdir("g", 0777) == 0 ? 0 : -1;
 }
 
 static int leave_folder(void **state)
 {
     (void)state;
     disk_case_unmount("stick");
-    return chdir("/") == 0 ? nftw(root, remove_one, 16, FTW_DEPTH | FTW_PHYS) : -1;
+    return chdir("/") == 0 && folder_case_remove(root) ? 0 : -1;
 }
 
 static void put(const char *path, const char *text)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 #define OTHERS                                                                                                         \

@@ -1,7 +1,5 @@
-#define _XOPEN_SOURCE 700 /* nftw */
 #include "exhibit_case.h"
 
-#include <ftw.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -14,18 +12,16 @@
 #include <cmocka.h>
 
 #include "beneath.h"
+#include "folder_case.h"
 #include "yaml.h"
 
-static char folder[64];
+static char folder[FOLDER_CASE_PATH];
 
 static void put(const char *name, const char *text)
 {
     char path[256];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static void put_folder(const char *name)
@@ -39,8 +35,7 @@ const char *exhibit_case_folder(void)
 {
     char name[96];
     char *huge = malloc(YAML_SIZE_MAX + 2);
-    snprintf(folder, sizeof folder, "/tmp/frond-exhibit-XXXXXX");
-    assert_non_null(mkdtemp(folder));
+    assert_true(folder_case_make(folder));
     assert_non_null(huge);
     memset(huge, '#', YAML_SIZE_MAX + 1);
     huge[YAML_SIZE_MAX + 1] = '\0';
@@ -66,17 +61,9 @@ const char *exhibit_case_folder(void)
     return folder;
 }
 
-static int remove_one(const char *path, const struct stat *status, int kind, struct FTW *at)
-{
-    (void)status;
-    (void)kind;
-    (void)at;
-    return remove(path);
-}
-
 void exhibit_case_remove(void)
 {
-    nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+    folder_case_remove(folder);
 }
 
 /* Two by two: dark on the left, light on the right. */
