@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "exhibit_read.h"
-#include "key_rows.h"
+#include "file_rows.h"
 
 enum { ID_BYTES = 40, TICKS = 20000, TICKS_INITIAL = 600 };
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "device_class.h"
-#include "key_rows.h"
+#include "file_rows.h"
 #include "source_gpio.h"
 #include "word_lines.h"
 

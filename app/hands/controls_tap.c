@@ -53,13 +53,10 @@ static bool stay_there(struct controls *controls, const struct cause *cause)
 
 static void drop_anyway(struct controls *controls, const struct cause *cause)
 {
-    static const enum action_verb FIRST[SCENE_KINDS] = {[SCENE_PAINTING] = ACTION_DROP,
-                                                        [SCENE_TREES] = ACTION_PLANT,
-                                                        [SCENE_LIGHTNING] = ACTION_STRIKE,
-                                                        [SCENE_CHEMISTRY] = ACTION_DOSE};
+    const struct scene_type *type = scene_types[controls->options.kind];
     struct queued *queued = controls_push(controls, cause->time_us);
     if (queued) {
-        queued->action = action_default(FIRST[controls->options.kind]);
+        queued->action = action_default(type ? type->begins : ACTION_DROP);
         queued->action.visitor = controls_visitor_of(controls, cause);
         queued->action.ink = controls_ink_of(controls, cause) % controls->def.inks;
         queued->action.at = cause->at;

@@ -4,6 +4,7 @@
 #include "exhibit.h"
 #include "script_action.h"
 #include "stroke.h"
+#include "verb.h"
 
 /* What a binding is made of, before it is put together. */
 struct parts {
@@ -334,20 +335,6 @@ static void report_no_action(struct reader *reader, const struct yaml_node *item
     reader_problem(reader, item, "no action is given; %s", names_allowed(&names, "", allowed, sizeof allowed));
 }
 
-/* dry, wet, unmask and set are for the whole sheet by nature, all else for the place where it happens. */
-static int usual_where(const struct binding *binding)
-{
-    switch (binding->action.verb) {
-    case ACTION_DRY:
-    case ACTION_WET:
-    case ACTION_UNMASK:
-    case ACTION_SET:
-        return WHERE_SHEET;
-    default:
-        return WHERE_THERE;
-    }
-}
-
 static void check_along(struct reader *reader, const struct yaml_node *item, const struct binding *binding)
 {
     bool paints = binding->what == DO_VERB && key_find(action_keys(binding->action.verb), "path");
@@ -381,7 +368,8 @@ static void read_binding(struct reader *reader, const struct yaml_node *item, in
     }
     if (whole) {
         read_when(reader, item, binding);
-        binding->where = yaml_get(item, "where") ? binding->where : usual_where(binding);
+        int usual = verbs[binding->action.verb]->whole ? WHERE_SHEET : WHERE_THERE;
+        binding->where = yaml_get(item, "where") ? binding->where : usual;
         check_along(reader, item, binding);
     }
     if (whole && parts.length) {

@@ -3,7 +3,7 @@
 #define FROND_INPUTS_DEVICES_H
 
 #include "inputs_read.h"
-#include "key_rows.h"
+#include "file_rows.h"
 
 /* Over struct inputs_device. */
 #define INPUTS_DEVICE_ROWS                                                                                             \

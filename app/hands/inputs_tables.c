@@ -1,6 +1,7 @@
 #include "device_class.h"
 #include "exhibit.h"
-#include "key_rows.h"
+#include "file_rows.h"
+#include "inputs_read.h"
 
 static const char *const VISITORS[] = {"each", "shared", NULL};
 static const char *const TOUCHES[] = {"press", "tap", "long press", "drag", "two-finger drag", "pinch", NULL};
@@ -79,11 +80,11 @@ const struct key binding_do_keys[] = {
 const struct key turn_keys[] = {
     {"coefficient", KEY_COEFFICIENT, "", 0, 0, 0, NULL, offsetof(BINDING, coefficient), false,
      "The coefficient; one that is a number."},
-    {"growth", KEY_GROWTH, "", 0, 0, 0, NULL, offsetof(BINDING, option), false,
+    {"growth", KEY_OPTION, "", SCENE_TREES, SCENE_TREES, 0, NULL, offsetof(BINDING, option), false,
      "Instead of it, in scenes of trees: an option of frond grow that is one value. Choices have a detent each."},
-    {"lightning", KEY_STORM, "", 0, 0, 0, NULL, offsetof(BINDING, option), false,
+    {"lightning", KEY_OPTION, "", SCENE_LIGHTNING, SCENE_LIGHTNING, 0, NULL, offsetof(BINDING, option), false,
      "Instead of it, in scenes of lightning: an option of theirs that is one value."},
-    {"chemistry", KEY_DISH, "", 0, 0, 0, NULL, offsetof(BINDING, option), false,
+    {"chemistry", KEY_OPTION, "", SCENE_CHEMISTRY, SCENE_CHEMISTRY, 0, NULL, offsetof(BINDING, option), false,
      "Instead of it, in scenes of chemistry: an option of theirs that is one value."},
     NUMBER("from", BINDING, axis.from, "as what it turns", -10000, 100000, 0, false,
            "Its value at one end; the first, of choices, if left out."),

@@ -303,6 +303,10 @@ static bool open_studio(struct live *live)
     struct studio_error error;
     struct painting_def painting = script_painting(live->script);
     const struct shader_folder *folder = live->folder.path ? &live->folder : NULL;
+    struct shader_error limits;
+    if (!gpu_limits_check(&limits)) { /* what will not work says so itself */
+        say(live, LOG_LEVEL_WARNING, "%s", limits.text);
+    }
     live->choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
                                  engine_choice_path(path, sizeof path) ? path : NULL);
     say(live, LOG_LEVEL_INFO, "%s", live->choice.why);

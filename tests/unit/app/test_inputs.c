@@ -115,7 +115,7 @@ static const struct script_case BAD[] = {
     {"turn of growth too far", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: gain, from: 0, to: 17}}\n"),
      "s.yaml:3:50: bindings[0].turn.to: 17 is out of range; 0 to 16 pixels\n"},
     {"turn of a place", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: fork, from: 0, to: 1}}\n"),
-     "s.yaml:3:31: bindings[0].turn.growth: fork is no single value; another option of frond grow\n"},
+     "s.yaml:3:31: bindings[0].turn.growth: fork is no single value; another option of trees\n"},
     {"length of what is not over",
      BYTES("inputs: 1\nbindings:\n  - {touch: press, drop: {}, "
            "length: {parameter: radius, from: 4, to: 9}}\n"),

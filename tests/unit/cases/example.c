@@ -251,11 +251,22 @@ const char *example_comment(const struct example *example, int line, char *buffe
     return buffer;
 }
 
+const char *example_wanted(const struct key *key, char *buffer, size_t size)
+{
+    char range[1400];
+    if (key_is_section(key)) {
+        snprintf(buffer, size, "%s", key->meaning);
+    } else {
+        snprintf(buffer, size, "%s (%s)", key->meaning, explain_range(key, range, sizeof range));
+    }
+    return buffer;
+}
+
 static void write_comment(FILE *file, const struct key *key, int column)
 {
     char comment[EXAMPLE_COMMENT];
     int at = COLUMNS;
-    explain_comment(key, comment, sizeof comment);
+    example_wanted(key, comment, sizeof comment);
     for (char *word = strtok(comment, " "); word; word = strtok(NULL, " ")) {
         int length = (int)strlen(word);
         if (at + 1 + length > COLUMNS) {
