@@ -31,10 +31,7 @@ static int leave_folder(void **state)
 
 static void put(const char *path, const char *text)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static struct gallery *open_gallery(const char *folder, int pictures, int64_t bytes)

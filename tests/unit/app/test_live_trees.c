@@ -36,7 +36,7 @@ static const char EXHIBIT[] = "exhibit: 1\n"
 static const double KEPT_S = 3.5; /* after which what is done is on the disk: keep_def.flush_s, and slack */
 
 struct place {
-    char folder[64], file[100], state[100];
+    char folder[FOLDER_CASE_PATH], file[100], state[100];
     struct display *display;
     struct live_def def;
     struct live live;
@@ -53,8 +53,7 @@ static bool put(const char *path, const void *bytes, size_t size)
 static void make_folder(struct place *place)
 {
     char bytes[8192], path[200];
-    strcpy(place->folder, "/tmp/frond-trees-XXXXXX");
-    assert_non_null(mkdtemp(place->folder));
+    assert_true(folder_case_make(place->folder));
     snprintf(place->file, sizeof place->file, "%s/trees.yaml", place->folder);
     snprintf(place->state, sizeof place->state, "%s/state", place->folder);
     snprintf(path, sizeof path, "%s/leaf.png", place->folder);

@@ -36,10 +36,7 @@ static int leave_folder(void **state)
 
 static void put(const char *path, const char *text)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 #define OTHERS                                                                                                         \

@@ -16,16 +16,13 @@
 #include "script_case.h"
 #include "yaml.h"
 
-static char folder[64];
+static char folder[FOLDER_CASE_PATH];
 
 static void put(const char *name, const char *text)
 {
     char path[256];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static void put_folder(const char *name)
@@ -39,8 +36,7 @@ const char *exhibit_case_folder(void)
 {
     char name[96];
     char *huge = malloc(YAML_SIZE_MAX + 2);
-    snprintf(folder, sizeof folder, "/tmp/frond-exhibit-XXXXXX");
-    assert_non_null(mkdtemp(folder));
+    assert_true(folder_case_make(folder));
     assert_non_null(huge);
     memset(huge, '#', YAML_SIZE_MAX + 1);
     huge[YAML_SIZE_MAX + 1] = '\0';

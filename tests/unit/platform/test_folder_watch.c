@@ -20,7 +20,7 @@
 enum { MS = 1000, PATH_SIZE = 256 };
 
 struct bench {
-    char root[64];
+    char root[FOLDER_CASE_PATH];
     struct folder_watch *watch;
     uint64_t now_us;
 };
@@ -30,9 +30,8 @@ static int open_bench(void **state)
     struct bench *bench = calloc(1, sizeof *bench);
     *state = bench;
     bench->now_us = 5000000;
-    strcpy(bench->root, "/tmp/frond-watch-XXXXXX");
     bench->watch = folder_watch_create();
-    return bench->watch && mkdtemp(bench->root) && chdir(bench->root) == 0 ? 0 : -1;
+    return bench->watch && folder_case_make(bench->root) && chdir(bench->root) == 0 ? 0 : -1;
 }
 
 static int close_bench(void **state)
@@ -46,10 +45,7 @@ static int close_bench(void **state)
 
 static void put(const char *path, const char *text)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static void watch_folders(struct bench *bench, const char *first, const char *second)
