@@ -3,6 +3,7 @@
 
 #include "exhibit_read.h"
 #include "file_rows.h"
+#include "script_session.h"
 
 enum { ID_BYTES = 40, TICKS = 20000, TICKS_INITIAL = 600 };
 
@@ -10,10 +11,7 @@ enum { ID_BYTES = 40, TICKS = 20000, TICKS_INITIAL = 600 };
 const struct key scene_feed_keys[] = {
     TEXT("from", FEED, id, "the id of a scene", ID_BYTES, true,
          "The scene that it comes from: what has just been made in it on this sheet, else what it grows by itself."),
-    CHOICE(
-        "of", FEED, of, scene_field_names, FIELD_DARK, false,
-        "What is taken: dark where it has grown (a scalar), along which way it grew (a vector), around what it makes "
-        "of its surroundings (a scalar)."),
+    FIELD_KEY(offsetof(FEED, of)),
     CHOICE("as", FEED, as, graph_port_names, PORT_GUIDE, true,
            "What it becomes: of a painting guide (a vector), mask, coefficient, ink, relief or background, of trees "
            "picture, of lightning outline, of chemistry style, seeds or orientation (a vector)."),

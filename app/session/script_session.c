@@ -33,9 +33,7 @@ struct script_grown {
 const struct key script_session_keys[] = {
     TEXT("file", SESSION, file, "the path of a session script in this file's folder", PATH_BYTES, true,
          "The session that is grown."),
-    CHOICE("of", SESSION, of, scene_field_names, FIELD_DARK, false,
-           "What is taken: dark where it has grown, along which way it grew (a guide alone takes that), around what it "
-           "makes of its surroundings."),
+    FIELD_KEY(offsetof(SESSION, of)),
     NUMBER("strength", SESSION, strength, "share", 0, 1, 1, false,
            "How dark what is dark is, or how long the vectors are."),
     WHOLE("tick", SESSION, tick, "ticks", 0, TICKS, 0, false, "How long it grows; 0: as long as it says itself."),
