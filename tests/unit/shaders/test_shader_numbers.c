@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "deposit.h"
 #include "painting_gpu_state.h"
 #include "plate.h"
 #include "rinse.h"
