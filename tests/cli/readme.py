@@ -160,7 +160,7 @@ def section(heading):
 
 
 def check_lists():
-    verbs = re.findall(r"VERB\([A-Z_]+, (\w+)\)", (ROOT / "sim/scene/verbs.h").read_text())
+    verbs = re.findall(r"VERB\([A-Z_]+, (\w+)\)", (ROOT / "sim/action/verbs.h").read_text())
     check(words_after("The verbs are", "Any action may name") == verbs, "README: the verbs are " + ", ".join(verbs))
     for verb in verbs:
         check(frond("explain", verb).stdout.startswith(verb + ": "), f"frond explain {verb} says nothing of the verb")
