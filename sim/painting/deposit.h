@@ -24,7 +24,8 @@ enum deposit_law {
     DEPOSIT_SOLVENT, /* solvent comes: cover * amount */
     DEPOSIT_INK,     /* ink comes: cover * amount, if the ground is carved there */
     DEPOSIT_LINE,    /* dry pigment of the ink = max(dry, cover * amount) */
-    DEPOSIT_FRESH,   /* cover > 0: fresh ground, everything on it gone; else rho_a = max(rho_a, seed) if rho_p > .1 */
+    DEPOSIT_FRESH,   /* cover > 0: fresh ground, everything on it gone; else rho_a = max(rho_a, seed) if rho_p >
+                        CARVED_DEPTH */
     DEPOSIT_DRIES,   /* the share `cover` of solvent, ink and wet pigment dries or leaves */
     DEPOSIT_WETS,    /* solvent comes, if carved: cover * solvent; the share `amount` of dry pigment loosens */
     DEPOSIT_RINSE,   /* as rinse.h says: cover is the phase of the water, seed the turn of its flow */
