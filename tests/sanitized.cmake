@@ -1,8 +1,17 @@
-# What tests need where a sanitizer looks on (FROND_SANITIZE). Every folder that has tests calls frond_sanitized() last.
+# Tests where a sanitizer looks on (FROND_SANITIZE). They may know it, by SANITIZED and SANITIZED_THREAD; every folder that
+# has tests calls frond_sanitized() last, which gives them patience and options.
 #
-# Patience: the address sanitizer makes all of it three times slower, the thread sanitizer ten times.
-# Options: libraries that are not built for them leak what they keep until the end (leaks.supp), wait in ways of their own,
-#   and one of umockdev comes before the sanitizer's.
+# tests/run --sanitized runs all there are, but for these (and those of the virtual machine, which start what was built for it):
+#   unit.painting_same    the same bits from every kernel and any number of threads, at length: unit.painting has its calls,
+#                         and the kernels it compares are not looked at here (FROND_BARE_KERNELS)
+set(frond_unsanitized unit.painting_same)
+if(FROND_SANITIZE)
+    add_compile_definitions(SANITIZED)
+endif()
+if(FROND_SANITIZE MATCHES thread)
+    add_compile_definitions(SANITIZED_THREAD)
+endif()
+
 function(frond_sanitized)
     if(NOT FROND_SANITIZE)
         return()
@@ -13,9 +22,14 @@ function(frond_sanitized)
     endif()
     get_property(tests DIRECTORY PROPERTY TESTS)
     foreach(test IN LISTS tests)
+        if(test IN_LIST frond_unsanitized)
+            set_tests_properties(${test} PROPERTIES DISABLED TRUE)
+        endif()
         get_test_property(${test} TIMEOUT limit)
         math(EXPR limit "${patience} * ${limit}")
         set_tests_properties(${test} PROPERTIES TIMEOUT ${limit})
+        # Libraries that were not built so: umockdev's comes before the sanitizer's, Mesa, D-Bus and fontconfig keep what they
+        # have until the end, and all of them wait in ways that only they know.
         set_property(TEST ${test} APPEND PROPERTY ENVIRONMENT
             ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:verify_asan_link_order=0
             UBSAN_OPTIONS=print_stacktrace=1

@@ -37,9 +37,7 @@ static const char *type_name(const struct key *key)
         [KEY_BRUSH] = "brush",
         [KEY_RASTER] = "expression",
         [KEY_PICTURE] = "path",
-        [KEY_GROWTH] = "option",
-        [KEY_STORM] = "option",
-        [KEY_DISH] = "option",
+        [KEY_OPTION] = "option",
         [KEY_TEXT] = "text",
         [KEY_COEFFICIENT] = "coefficient",
         [KEY_ZONE] = "zone",
@@ -80,17 +78,6 @@ const char *explain_range(const struct key *key, char *buffer, size_t size)
     } else {
         snprintf(buffer, size, "%s; %s%s", type_name(key), value_allowed(key, allowed, sizeof allowed),
                  key->required ? "; required" : initial(key, start, sizeof start));
-    }
-    return buffer;
-}
-
-const char *explain_comment(const struct key *key, char *buffer, size_t size)
-{
-    char range[1400];
-    if (key_is_section(key)) {
-        snprintf(buffer, size, "%s", key->meaning);
-    } else {
-        snprintf(buffer, size, "%s (%s)", key->meaning, explain_range(key, range, sizeof range));
     }
     return buffer;
 }
@@ -193,16 +180,10 @@ static void explain_tables(struct explaining *explaining, const struct inputs_ta
     explaining->asked = asked;
 }
 
-/* Of the sections of scenes that are no paintings. */
-static const char *const ABOUT_OPTIONS[SCENE_KINDS] = {
-    [SCENE_TREES] = "How they grow in a scene of trees; defaults are those of ink.",
-    [SCENE_LIGHTNING] = "How it grows in a scene of lightning; defaults are those of the first kind.",
-    [SCENE_CHEMISTRY] = "How chemicals react in a scene of chemistry, and what they look like.",
-};
-
 bool explain(const char *asked, FILE *out)
 {
     struct key options[EXHIBIT_OPTIONS_KEYS];
+    struct inputs_tables inputs;
     struct explaining explaining = {.asked = asked, .out = out};
     explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
     explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
@@ -221,9 +202,9 @@ bool explain(const char *asked, FILE *out)
     explain_tables(&explaining, exhibit_tables);
     for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
         exhibit_options_keys((enum scene_kind)kind, options);
-        explain_keys(&explaining, scene_kind_names[kind], ABOUT_OPTIONS[kind], options);
+        explain_keys(&explaining, scene_kind_names[kind], scene_kind_meanings[kind], options);
     }
-    explain_tables(&explaining, inputs_tables);
+    explain_tables(&explaining, inputs_tables_of(&inputs));
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
     explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", laplacian_keys);

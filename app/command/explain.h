@@ -15,8 +15,4 @@ bool explain(const char *asked, FILE *out);
  * 512 cells; default 8". */
 const char *explain_range(const struct key *key, char *buffer, size_t size);
 
-/* Meaning and range as one line, as the shipped example has it over every key: "Side of a button. (number; ...)". A
- * section has its meaning alone. */
-const char *explain_comment(const struct key *key, char *buffer, size_t size);
-
 #endif

@@ -170,7 +170,7 @@ static void release(struct live *live, bool on)
  * has it. */
 static bool recover(struct live *live)
 {
-    struct display_error display_error;
+    struct device_error device_error;
     struct studio_error error;
     double start = bench_wall_s();
     live->service.status.gpu_resets++;
@@ -182,7 +182,7 @@ static bool recover(struct live *live)
     release(live, true);
     studio_suspend(live->studio);
     release(live, false);
-    while (!display_renew(live->display, &display_error)) {
+    while (!display_renew(live->display, &device_error)) {
         if (live_over(live)) {
             return false;
         }
@@ -303,6 +303,10 @@ static bool open_studio(struct live *live)
     struct studio_error error;
     struct painting_def painting = script_painting(live->script);
     const struct shader_folder *folder = live->folder.path ? &live->folder : NULL;
+    struct shader_error limits;
+    if (!gpu_limits_check(&limits)) { /* what will not work says so itself */
+        say(live, LOG_LEVEL_WARNING, "%s", limits.text);
+    }
     live->choice = engine_choose(live->def->engine, &painting, gpu_limits_renderer(), folder,
                                  engine_choice_path(path, sizeof path) ? path : NULL);
     say(live, LOG_LEVEL_INFO, "%s", live->choice.why);

@@ -380,12 +380,3 @@ float access_dwelt(const struct access *access, int id, uint64_t now_us)
     float dwelt = (float)since(point->since_us, now_us) / (float)microseconds(access->def.dwell);
     return dwelt < 1 ? dwelt : 1;
 }
-
-float access_held(const struct access *access, uint64_t now_us)
-{
-    if (!access->pressed || access->spent || !access->down) {
-        return 0;
-    }
-    float held = (float)since(access->pressed_us, now_us) / ACCESS_LONG_US;
-    return held < 1 ? held : 1;
-}

@@ -94,7 +94,5 @@ bool access_moves(const struct access *access);
 int access_timeout_ms(const struct access *access, uint64_t now_us);
 /* How far a point's dwelling is, 0..1; 0 for one that has had its drop. */
 float access_dwelt(const struct access *access, int id, uint64_t now_us);
-/* How far a press is on its way to a long one, 0..1; 0: nobody presses. */
-float access_held(const struct access *access, uint64_t now_us);
 
 #endif

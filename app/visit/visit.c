@@ -20,18 +20,6 @@ static const struct face {
     [VISIT_CLOSED] = {"closed", false, false, false, false},
 };
 
-static const char *const event_names[VISIT_EVENTS] = {
-    [VISIT_INPUT] = "input",   [VISIT_PAINT] = "paint",   [VISIT_HOLD] = "hold",   [VISIT_TIME] = "time",
-    [VISIT_FINISH] = "finish", [VISIT_WASHED] = "washed", [VISIT_STAFF] = "staff", [VISIT_OPEN] = "open",
-    [VISIT_CLOSE] = "close",   [VISIT_RELOAD] = "reload", [VISIT_SCENE] = "scene",
-};
-
-static const char *const order_names[ORDER_KINDS] = {
-    [ORDER_KEEP] = "keep",       [ORDER_SCENE] = "scene",     [ORDER_SHEET] = "sheet",
-    [ORDER_WASH] = "wash",       [ORDER_WELCOME] = "welcome", [ORDER_PALETTE] = "palette",
-    [ORDER_ATTRACT] = "attract", [ORDER_POWER] = "power",     [ORDER_STATUS] = "status",
-};
-
 enum {
     KEEP = 1 << ORDER_KEEP, /* where something is painted */
     SCENE = 1 << ORDER_SCENE,
@@ -384,14 +372,4 @@ int visit_timeout_ms(const struct visit *visit, uint64_t now_us)
 const char *visit_state_name(enum visit_state state)
 {
     return faces[state].name;
-}
-
-const char *visit_event_name(enum visit_event event)
-{
-    return event_names[event];
-}
-
-const char *visit_order_name(enum visit_order_kind kind)
-{
-    return order_names[kind];
 }

@@ -116,7 +116,5 @@ float visit_left(const struct visit *visit, uint64_t now_us);
 /* When visit_run has something to do: ms, -1: not without an event. */
 int visit_timeout_ms(const struct visit *visit, uint64_t now_us);
 const char *visit_state_name(enum visit_state state);
-const char *visit_event_name(enum visit_event event);
-const char *visit_order_name(enum visit_order_kind kind);
 
 #endif

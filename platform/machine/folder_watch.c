@@ -62,11 +62,6 @@ void folder_watch_destroy(struct folder_watch *watch)
     }
 }
 
-int folder_watch_fd(const struct folder_watch *watch)
-{
-    return watch->fd;
-}
-
 static struct folder *find(struct folder_watch *watch, int number)
 {
     for (int i = 0; i < watch->count; i++) {
@@ -249,16 +244,4 @@ bool folder_watch_changed(struct folder_watch *watch, uint64_t now_us)
     }
     watch->changed = false;
     return true;
-}
-
-int folder_watch_timeout_ms(const struct folder_watch *watch, uint64_t now_us)
-{
-    if (watch->count == 0 && !watch->changed) {
-        return -1;
-    }
-    uint64_t next = next_look(watch);
-    if (watch->changed && due(watch) < next) {
-        next = due(watch);
-    }
-    return next <= now_us ? 0 : (int)((next - now_us + MILLISECOND - 1) / MILLISECOND);
 }

@@ -6,7 +6,6 @@
  *
  *     folder_watch_set(watch, folders, count);    first, so that no change falls between
  *     read_all(folders);
- *     poll folder_watch_fd(watch) for POLLIN, at most folder_watch_timeout_ms(watch, now)
  *     if (folder_watch_changed(watch, now)) { read_all(folders); } */
 #ifndef FROND_FOLDER_WATCH_H
 #define FROND_FOLDER_WATCH_H
@@ -30,11 +29,8 @@ void folder_watch_destroy(struct folder_watch *watch); /* takes NULL */
 /* From now on these folders, and no others: at most FOLDER_WATCH_FOLDERS, the rest is left out; paths are copied, those
  * relative are of the working directory. One that is not there is waited for. */
 void folder_watch_set(struct folder_watch *watch, const char *const *folders, int count);
-int folder_watch_fd(const struct folder_watch *watch);
 /* Whether something has changed, and has been quiet for FOLDER_WATCH_SETTLE_MS since, or has changed all the time for
  * FOLDER_WATCH_LONGEST_MS; once. Times are of one monotonic clock, microseconds. */
 bool folder_watch_changed(struct folder_watch *watch, uint64_t now_us);
-/* Until folder_watch_changed is worth another call without the descriptor being readable; -1: for ever. */
-int folder_watch_timeout_ms(const struct folder_watch *watch, uint64_t now_us);
 
 #endif

@@ -13,7 +13,6 @@ struct usb_stick {
     char *folder;
     char *text;           /* the list, TEXT_MOST */
     char what[WHAT_MOST]; /* number of the mount and of its device; "": none */
-    bool writable;
 };
 
 struct usb_stick *usb_stick_create(const char *folder, const char *mounts)
@@ -45,16 +44,6 @@ void usb_stick_destroy(struct usb_stick *stick)
     free(stick);
 }
 
-int usb_stick_fd(const struct usb_stick *stick)
-{
-    return stick->fd;
-}
-
-bool usb_stick_writable(const struct usb_stick *stick)
-{
-    return stick->what[0] && stick->writable;
-}
-
 /* Space, tab, line feed and backslash stand as \ooo: proc(5). */
 static void unescape(char *path)
 {
@@ -72,23 +61,11 @@ static void unescape(char *path)
     *to = '\0';
 }
 
-static bool has_option(const char *options, const char *option)
-{
-    size_t length = strlen(option);
-    for (const char *at = options; at; at = strchr(at, ',')) {
-        at += *at == ',';
-        if (strncmp(at, option, length) == 0 && (at[length] == ',' || at[length] == '\0')) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* "36 35 98:0 /mnt1 /mnt2 rw,noatime master:1 - ext3 /dev/root rw,errors=continue": number, parent, device, its part,
- * where, options, fields until "-", kind, source, options of the whole. The last mount of a place lies on top. */
-static void read_line(struct usb_stick *stick, char *line, char what[WHAT_MOST], bool *writable)
+ * where, options, fields until "-", kind, and more. The last mount of a place lies on top. */
+static void read_line(struct usb_stick *stick, char *line, char what[WHAT_MOST])
 {
-    enum { NUMBER, DEVICE = 2, WHERE = 4, OPTIONS = 5, FIELDS = 6 };
+    enum { NUMBER, DEVICE = 2, WHERE = 4, FIELDS };
     char *fields[FIELDS], *rest = line;
     for (int i = 0; i < FIELDS; i++) {
         fields[i] = strsep(&rest, " ");
@@ -98,9 +75,7 @@ static void read_line(struct usb_stick *stick, char *line, char what[WHAT_MOST],
     }
     unescape(fields[WHERE]);
     if (strcmp(fields[WHERE], stick->folder) == 0) {
-        const char *whole = rest ? strrchr(rest, ' ') : NULL;
         snprintf(what, WHAT_MOST, "%s %s", fields[NUMBER], fields[DEVICE]);
-        *writable = has_option(fields[OPTIONS], "rw") && !(whole && has_option(whole + 1, "ro"));
     }
 }
 
@@ -122,15 +97,13 @@ static bool read_list(struct usb_stick *stick)
 enum usb_stick_news usb_stick_look(struct usb_stick *stick)
 {
     char what[WHAT_MOST] = "";
-    bool writable = false;
     if (!read_list(stick)) {
         return USB_STICK_SAME;
     }
     char *rest = stick->text;
     for (char *line; (line = strsep(&rest, "\n"));) {
-        read_line(stick, line, what, &writable);
+        read_line(stick, line, what);
     }
-    stick->writable = writable;
     if (strcmp(what, stick->what) == 0) {
         return USB_STICK_SAME;
     }

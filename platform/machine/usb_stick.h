@@ -27,9 +27,6 @@ enum usb_stick_news {
  * with the first look. */
 struct usb_stick *usb_stick_create(const char *folder, const char *mounts);
 void usb_stick_destroy(struct usb_stick *stick); /* takes NULL */
-int usb_stick_fd(const struct usb_stick *stick);
 enum usb_stick_news usb_stick_look(struct usb_stick *stick);
-/* Whether what is there may be written to. */
-bool usb_stick_writable(const struct usb_stick *stick);
 
 #endif

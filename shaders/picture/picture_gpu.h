@@ -38,9 +38,6 @@ void picture_gpu_present_held(const struct picture_gpu *picture, float opacity, 
                               int panel_height, const float turn[4]);
 /* The last picture: width * height * 3 bytes of sRGB from the top left. Waits for the GPU. False: memory is short. */
 bool picture_gpu_capture(const struct picture_gpu *picture, uint8_t *rgb);
-/* picture_gpu_shade and picture_gpu_present. */
-bool picture_gpu_draw(struct picture_gpu *picture, const struct fields *fields, unsigned framebuffer, int panel_width,
-                      int panel_height, const float turn[4]);
 /* The next picture takes the tone that it finds (picture_def.follow): for a new painting. */
 void picture_gpu_restart(struct picture_gpu *picture);
 /* Bytes of its textures. */

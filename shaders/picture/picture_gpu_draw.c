@@ -175,13 +175,3 @@ bool picture_gpu_shade(struct picture_gpu *picture, const struct fields *fields)
     glBindFramebuffer(GL_FRAMEBUFFER, (GLuint)before);
     return true;
 }
-
-bool picture_gpu_draw(struct picture_gpu *picture, const struct fields *fields, unsigned framebuffer, int panel_width,
-                      int panel_height, const float turn[4])
-{
-    bool good = picture_gpu_shade(picture, fields);
-    if (good) {
-        picture_gpu_present(picture, framebuffer, panel_width, panel_height, turn);
-    }
-    return good;
-}

@@ -183,13 +183,3 @@ void lsystem_plant_preset(struct lsystem_plant *plant, enum lsystem_kind kind, i
         plant->look.ground[c] = 0.88f;
     }
 }
-
-void lsystem_plant_alone(struct lsystem_plant *plant)
-{
-    plant->growth.charge_count = 0;
-    plant->growth.environment.values = NULL;
-    plant->growth.tropism = 0;
-    plant->growth.shyness = 0;
-    plant->growth.clearance = 0;
-    plant->growth.eta = 0;
-}

@@ -31,7 +31,4 @@ struct lsystem_plant {
  * a room of 512 cells, in proportion. */
 void lsystem_plant_preset(struct lsystem_plant *plant, enum lsystem_kind kind, int width, int height);
 
-/* The same without its surroundings: no attractors, repulsors, light, nor feeling for itself, and every bud breaks. */
-void lsystem_plant_alone(struct lsystem_plant *plant);
-
 #endif

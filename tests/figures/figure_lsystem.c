@@ -179,6 +179,17 @@ static struct measure add(struct sheet *sheet, struct canvas *canvas, uint8_t *r
     return m;
 }
 
+/* Without its surroundings: no attractors, repulsors, light, nor feeling for itself, and every bud breaks. */
+static void leave_alone(struct lsystem_plant *plant)
+{
+    plant->growth.charge_count = 0;
+    plant->growth.environment.values = NULL;
+    plant->growth.tropism = 0;
+    plant->growth.shyness = 0;
+    plant->growth.clearance = 0;
+    plant->growth.eta = 0;
+}
+
 static void show_kinds(struct figure *figure, struct sheet *sheet, struct canvas *canvas, uint8_t *rgb)
 {
     static const char *const LABELS[LSYSTEM_KINDS][2] = {{"tree, light from the upper right", "the same rules, alone"},
@@ -193,7 +204,7 @@ static void show_kinds(struct figure *figure, struct sheet *sheet, struct canvas
     for (int i = 0; i < LSYSTEM_KINDS; i++) {
         lsystem_plant_preset(kind, (enum lsystem_kind)i, ROOM, ROOM);
         m[i][0] = add(sheet, canvas, rgb, kind, LABELS[i][0]);
-        lsystem_plant_alone(kind);
+        leave_alone(kind);
         kind->growth.nodes = 40000;
         m[i][1] = add(sheet, canvas, rgb, kind, LABELS[i][1]);
     }

@@ -260,16 +260,13 @@ static void a_long_press_is_known_while_it_is_held(void **state)
 {
     (void)state;
     struct play play = open_play();
-    assert_near(access_held(&play.access, play.now_us), 0, 0);
     turn_switch(&play, true);
     assert_int_equal(access_timeout_ms(&play.access, play.now_us), 1200);
     pass_ms(&play, 600);
-    assert_near(access_held(&play.access, play.now_us), 0.5, 1e-3);
     pass_ms(&play, 599);
     assert_int_equal(play.access.state, ACCESS_RESTS);
     pass_ms(&play, 1);
     assert_int_equal(play.access.state, ACCESS_BUTTONS);
-    assert_near(access_held(&play.access, play.now_us), 0, 0);
     pass_ms(&play, 10000);
     assert_int_equal(play.access.button, 0); /* it walks when the hand is off */
     turn_switch(&play, false);

@@ -46,7 +46,7 @@ static void every_comment_is_that_of_its_table(void **state)
             continue;
         }
         example_comment(example, row->line, found, sizeof found);
-        explain_comment(&row->key, wanted, sizeof wanted);
+        example_wanted(&row->key, wanted, sizeof wanted);
         if (strcmp(found, wanted) != 0) {
             print_error("line %d, %s.%s:\n  is:     %s\n  should: %s\n", row->line + 1, row->place, row->key.name,
                         found, wanted);

@@ -37,6 +37,9 @@ void example_destroy(struct example *example);
 int example_comment_start(const struct example *example, int line);
 /* That comment as one text, its lines joined by spaces. */
 const char *example_comment(const struct example *example, int line, char *buffer, size_t size);
+/* What it should be: meaning and range as one line, "Side of a button. (number; ...)"; of a section its meaning alone.
+ */
+const char *example_wanted(const struct key *key, char *buffer, size_t size);
 /* The file again, with every comment as the tables have it, and options of scenes that it lacks. */
 void example_write(const struct example *example, const char *path);
 

@@ -12,7 +12,7 @@
 struct display *picture_case_display(int width, int height, int rotation)
 {
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     bool sideways = rotation == 90 || rotation == 270;
     def.kind = DISPLAY_HEADLESS;
     def.width = sideways ? height : width;
@@ -138,7 +138,8 @@ uint8_t *picture_case_gpu(const struct picture_case *subject, const struct pictu
     assert_true(display_begin(display));
     picture_case_upload(subject, &fields);
     display_turn(display, turn);
-    assert_true(picture_gpu_draw(picture, &fields, display_framebuffer(display), panel.width, panel.height, turn));
+    assert_true(picture_gpu_shade(picture, &fields));
+    picture_gpu_present(picture, display_framebuffer(display), panel.width, panel.height, turn);
     display_end(display);
     assert_true(display_capture(display, rgb));
     picture_gpu_destroy(picture);
