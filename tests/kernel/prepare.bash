@@ -144,6 +144,11 @@ ordered_modules() { # ordered_modules FOLDER...
         name=${name%.ko}
         file[${name//-/_}]=$module
     done < <(find "$@" -name '*.ko')
+    while IFS= read -r module; do # parts of the kernel itself
+        name=${module##*/}
+        name=${name%.ko}
+        seen[${name//-/_}]=1
+    done < <(find "$@" -name modules.builtin -exec cat {} +)
     visit() {
         local wanted=${1//-/_} needs need
         [[ ! ${seen[$wanted]:-} ]] || return 0
