@@ -19,7 +19,8 @@ enum key_type {
                     vector */
     KEY_PICTURE, /* struct action_raster, from a picture: a path relative to the file that names it */
     KEY_TEXT,    /* const char *: a word or some, of `min` to `max` bytes; owned by whoever read it */
-    KEY_OPTION,  /* int: index into the options of the kind of scene (scene.h) that `min` is; written as the name there */
+    KEY_OPTION,  /* int: index into the options of the kind of scene (scene.h) that `min` is; written as the name there
+                  */
     KEY_COEFFICIENT, /* int: index into coefficient_keys[] (coefficients.h); written as the coefficient's name */
     KEY_ZONE,        /* float[4]: [left, top, right, bottom] in 0..1 of the sheet; its default reaches from a top of
                         `initial` down, all across */

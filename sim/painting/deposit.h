@@ -16,8 +16,8 @@
 
 enum { DEPOSIT_CELLS = 1 << 15 }; /* of a part at most: seven rows of the widest sheet */
 
-/* What is done to a cell, where cover > 0 (but FRESH). Carved is rho_a + rho_p > CARVED_DEPTH (kernel.h). Ink comes with
- * pigment, which blends by mass. In this order in deposit.comp, too. */
+/* What is done to a cell, where cover > 0 (but FRESH). Carved is rho_a + rho_p > CARVED_DEPTH (kernel.h). Ink comes
+ * with pigment, which blends by mass. In this order in deposit.comp, too. */
 enum deposit_law {
     DEPOSIT_NOTHING,
     DEPOSIT_DROP,    /* rho_a = max(rho_a, seed); solvent comes: cover * solvent; ink comes: cover * amount */

@@ -35,7 +35,7 @@ struct tally {
     pthread_t thread;
     int first, files; /* this one and every THREADS-th after it, of so many */
     int pictures, errors;
-    int by_format[FORMATS];           /* read, well or not */
+    int by_format[FORMATS];            /* read, well or not */
     char wrong[FILE_ERROR_TEXT + 128]; /* empty: all well */
 };
 
