@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 
-static const char *const DISPLAYS[] = {"shown", "dark", "absent", "lent"};                    /* enum display_state */
+static const char *const DISPLAYS[] = {"shown", "dark", "absent", "lent"}; /* enum display_state */
 bool live_service_open(struct live_service *service, uint64_t now_us)
 {
     const char *folder = getenv("RUNTIME_DIRECTORY");
