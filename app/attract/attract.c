@@ -144,8 +144,12 @@ void attract_begin(struct attract *attract, int scene, float aspect)
     attract->next = 0;
     if (exhibit->scenes[scene].kind != SCENE_PAINTING) {
         float width = sqrtf((float)exhibit->sheet.cells * aspect);
-        BEGIN[exhibit->scenes[scene].kind](attract, &exhibit->scenes[scene], width,
-                                           (float)exhibit->sheet.cells / width);
+        if (BEGIN[exhibit->scenes[scene].kind]) {
+            BEGIN[exhibit->scenes[scene].kind](attract, &exhibit->scenes[scene], width,
+                                               (float)exhibit->sheet.cells / width);
+        } else { /* what its opening has begun */
+            performance_clear(&attract->performance, (int64_t)(exhibit->visit.attract * (float)rate_of(attract)));
+        }
         return;
     }
     int number = attract->begun++, recorded = exhibit->session_count > 0 ? number / EVERY : 0;

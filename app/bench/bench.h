@@ -43,6 +43,9 @@ bool bench_trees(struct bench *bench);
 /* Gray-Scott. False when memory is short, or with the reason in meaning_text. */
 bool bench_chemistry(struct bench *bench);
 
+/* Gardens, dishes and transitions. False when memory is short. */
+bool bench_scenes(struct bench *bench);
+
 /* Laplacian growth, exact and fast; beside it, in a build with tests, the dielectric breakdown model and diffusion
  * limited aggregation. False when memory is short. */
 bool bench_growth(struct bench *bench);

@@ -93,7 +93,7 @@ static bool add_picture(struct bench *bench, const struct bench_gpu *gpu, struct
 bool bench_graphics(struct bench *bench)
 {
     struct display_def def = display_default_def();
-    struct display_error reason;
+    struct device_error reason;
     struct shader_error error;
     struct bench_gpu gpu;
     bench->name = "gpu";

@@ -6,7 +6,7 @@
 #include <zlib.h>
 
 #include "bolt_order.h"
-#include "bolt_text.h"
+#include "file_text.h"
 #include "image.h"
 #include "ink.h"
 #include "progress.h"
@@ -126,15 +126,15 @@ bool bolt_write_potential(const struct bolt_result *result, const char *path, st
     return good;
 }
 
-static void put_chunk(struct bolt_text *text, const char *type, const uint8_t *bytes, size_t size)
+static void put_chunk(struct file_text *text, const char *type, const uint8_t *bytes, size_t size)
 {
     uLong sum = crc32(crc32(0, (const Bytef *)type, 4), bytes, (uInt)size);
     const uint8_t length[4] = {(uint8_t)(size >> 24), (uint8_t)(size >> 16), (uint8_t)(size >> 8), (uint8_t)size};
     const uint8_t check[4] = {(uint8_t)(sum >> 24), (uint8_t)(sum >> 16), (uint8_t)(sum >> 8), (uint8_t)sum};
-    bolt_text_bytes(text, length, 4);
-    bolt_text_bytes(text, type, 4);
-    bolt_text_bytes(text, bytes, size);
-    bolt_text_bytes(text, check, 4);
+    file_text_bytes(text, length, 4);
+    file_text_bytes(text, type, 4);
+    file_text_bytes(text, bytes, size);
+    file_text_bytes(text, check, 4);
 }
 
 /* Grey of 16 bits, which image_write_png has not (PNG, third edition, sections 5 and 11). `rows`: a filter byte and two
@@ -153,13 +153,13 @@ static bool write_grey16(const char *path, const uint8_t *rows, int width, int h
         free(bytes);
         return file_fail(error, path, "memory is short");
     }
-    struct bolt_text text = {0};
-    bolt_text_bytes(&text, SIGNATURE, sizeof SIGNATURE);
+    struct file_text text = {0};
+    file_text_bytes(&text, SIGNATURE, sizeof SIGNATURE);
     put_chunk(&text, "IHDR", header, sizeof header);
     put_chunk(&text, "IDAT", bytes, packed);
     put_chunk(&text, "IEND", SIGNATURE, 0);
     free(bytes);
-    return bolt_text_write(&text, path, error);
+    return file_text_write(&text, path, error);
 }
 
 bool bolt_write_height(const struct bolt_result *result, const char *path, struct file_error *error)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bolt_text.h"
+#include "file_text.h"
 
 enum { LEAF_VERTICES = 6, LEAF_FACES = 8 };
 
@@ -279,30 +279,30 @@ static bool make(struct mesh *mesh, const struct bolt_mesh_def *def)
 bool bolt_write_obj(const struct bolt_mesh_def *def, const char *path, struct file_error *error)
 {
     struct mesh mesh = {0};
-    struct bolt_text text = {0};
+    struct file_text text = {0};
     bool good = make(&mesh, def);
     if (!good) {
         file_fail(error, path, "memory is short");
     }
-    bolt_text_put(&text, "# frond bolt: %s, pixels from the middle of the picture, y up\n",
+    file_text_put(&text, "# frond bolt: %s, pixels from the middle of the picture, y up\n",
                   def->lines ? "branches as lines, radii as texture coordinates" : "branches as closed tubes");
     for (int32_t i = 0; i < mesh.vertex_count && good; i++) {
         const struct vertex *vertex = &mesh.vertices[i];
-        bolt_text_put(&text, "v %.4f %.4f %.4f\n", (double)vertex->at[0], (double)vertex->at[1], (double)vertex->at[2]);
+        file_text_put(&text, "v %.4f %.4f %.4f\n", (double)vertex->at[0], (double)vertex->at[1], (double)vertex->at[2]);
         if (def->lines) {
-            bolt_text_put(&text, "vt %.4f\n", (double)vertex->radius);
+            file_text_put(&text, "vt %.4f\n", (double)vertex->radius);
         }
     }
     for (int32_t i = 0, branch = -1; i < mesh.face_count && good; i++) {
         const int32_t *face = mesh.faces[i];
         if (mesh.vertices[face[0]].branch != branch) {
             branch = mesh.vertices[face[0]].branch;
-            bolt_text_put(&text, "g branch%d\n", branch);
+            file_text_put(&text, "g branch%d\n", branch);
         }
         if (def->lines) {
-            bolt_text_put(&text, "l %d/%d %d/%d\n", face[0] + 1, face[0] + 1, face[1] + 1, face[1] + 1);
+            file_text_put(&text, "l %d/%d %d/%d\n", face[0] + 1, face[0] + 1, face[1] + 1, face[1] + 1);
         } else {
-            bolt_text_put(&text, "f %d %d %d\n", face[0] + 1, face[1] + 1, face[2] + 1);
+            file_text_put(&text, "f %d %d %d\n", face[0] + 1, face[1] + 1, face[2] + 1);
         }
     }
     finish(&mesh);
@@ -310,17 +310,17 @@ bool bolt_write_obj(const struct bolt_mesh_def *def, const char *path, struct fi
         free(text.bytes);
         return false;
     }
-    return bolt_text_write(&text, path, error);
+    return file_text_write(&text, path, error);
 }
 
 /* Little endian, whatever the machine is. */
-static void put_word(struct bolt_text *text, uint32_t word)
+static void put_word(struct file_text *text, uint32_t word)
 {
     const uint8_t bytes[4] = {(uint8_t)word, (uint8_t)(word >> 8), (uint8_t)(word >> 16), (uint8_t)(word >> 24)};
-    bolt_text_bytes(text, bytes, sizeof bytes);
+    file_text_bytes(text, bytes, sizeof bytes);
 }
 
-static void put_number(struct bolt_text *text, float number)
+static void put_number(struct file_text *text, float number)
 {
     uint32_t word;
     memcpy(&word, &number, sizeof word);
@@ -330,16 +330,16 @@ static void put_number(struct bolt_text *text, float number)
 bool bolt_write_ply(const struct bolt_mesh_def *def, const char *path, struct file_error *error)
 {
     struct mesh mesh = {0};
-    struct bolt_text text = {0};
+    struct file_text text = {0};
     bool good = make(&mesh, def);
     if (!good) {
         file_fail(error, path, "memory is short");
     }
-    bolt_text_put(&text, "ply\nformat binary_little_endian 1.0\ncomment frond bolt\nelement vertex %d\n",
+    file_text_put(&text, "ply\nformat binary_little_endian 1.0\ncomment frond bolt\nelement vertex %d\n",
                   mesh.vertex_count);
-    bolt_text_put(&text, "property float x\nproperty float y\nproperty float z\nproperty float radius\n"
+    file_text_put(&text, "property float x\nproperty float y\nproperty float z\nproperty float radius\n"
                          "property int branch\n");
-    bolt_text_put(&text,
+    file_text_put(&text,
                   def->lines ? "element edge %d\nproperty int vertex1\nproperty int vertex2\nend_header\n"
                              : "element face %d\nproperty list uchar int vertex_indices\nend_header\n",
                   mesh.face_count);
@@ -354,7 +354,7 @@ bool bolt_write_ply(const struct bolt_mesh_def *def, const char *path, struct fi
     for (int32_t i = 0; i < mesh.face_count && good; i++) {
         const uint8_t corners = 3;
         if (!def->lines) {
-            bolt_text_bytes(&text, &corners, 1);
+            file_text_bytes(&text, &corners, 1);
         }
         for (int k = 0; k < (def->lines ? 2 : 3); k++) {
             put_word(&text, (uint32_t)mesh.faces[i][k]);
@@ -365,5 +365,5 @@ bool bolt_write_ply(const struct bolt_mesh_def *def, const char *path, struct fi
         free(text.bytes);
         return false;
     }
-    return bolt_text_write(&text, path, error);
+    return file_text_write(&text, path, error);
 }

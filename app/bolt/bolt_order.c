@@ -7,61 +7,25 @@
 
 #include "bolt_mesh.h"
 #include "bolt_plant.h"
+#include "key_fields.h"
 #include "progress.h"
 
 enum { SIZE = 1024, SIDES = 6, FILM = 120, RASTER_SIDE = 1024, PANORAMA_SIDE = 256, STEP = 256 };
 
-#define OF(field) .offset = offsetof(struct bolt_order, field)
+#define KEY_AT(field) offsetof(struct bolt_order, field)
 
 static const char *const PLANTS[LSYSTEM_KINDS + 2] = {"none", "tree", "vine", "bush", "fan", NULL};
 
 const struct key bolt_order_keys[] = {
-    {.name = "kind",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .choices = bolt_kind_names,
-     OF(kind),
-     .meaning = "Brings its own values of all that follows, its own seeds and charges."},
-    {.name = "lsystem",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .choices = PLANTS,
-     OF(lsystem),
-     .meaning = "A plant that feels the potential, of this kind, in the place of an aggregate."},
-    {.name = "bare",
-     .type = KEY_FLAG,
-     .unit = "",
-     OF(bare),
-     .meaning = "Without the seeds and charges of the kind: it begins in the middle."},
-    {.name = "turn",
-     .type = KEY_NUMBER,
-     .unit = "turns",
-     .min = -1000,
-     .max = 1000,
-     OF(turn),
-     .meaning = "Turned about the upright axis, to be seen from another side."},
-    {.name = "sides",
-     .type = KEY_INTEGER,
-     .unit = "",
-     .min = 3,
-     .max = 64,
-     .initial = SIDES,
-     OF(sides),
-     .meaning = "Of the tubes of a mesh."},
-    {.name = "lines",
-     .type = KEY_FLAG,
-     .unit = "",
-     OF(lines),
-     .meaning = "OBJ and PLY hold lines with radii, no tubes."},
-    {.name = "film",
-     .type = KEY_INTEGER,
-     .unit = "pictures",
-     .min = 2,
-     .max = 100000,
-     .initial = FILM,
-     OF(film),
-     .meaning = "How many --frames writes."},
-    {.name = NULL},
+    CHOICE(kind, bolt_kind_names, BOLT_LIGHTNING,
+           "Brings its own values of all that follows, its own seeds and charges."),
+    CHOICE(lsystem, PLANTS, 0, "A plant that feels the potential, of this kind, in the place of an aggregate."),
+    FLAG(bare, "Without the seeds and charges of the kind: it begins in the middle."),
+    NUMBER(turn, "turns", -1000, 1000, 0, "Turned about the upright axis, to be seen from another side."),
+    WHOLE(sides, "", 3, 64, SIDES, "Of the tubes of a mesh."),
+    FLAG(lines, "OBJ and PLY hold lines with radii, no tubes."),
+    WHOLE(film, "pictures", 2, 100000, FILM, "How many --frames writes."),
+    END,
 };
 
 struct bolt_order bolt_order_default(void)

@@ -1,44 +1,15 @@
 /* A path for each branch: its outline, filled, and its widths beside it for those who draw with a pen. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "bolt_order.h"
-#include "bolt_text.h"
 #include "ink.h"
+#include "svg.h"
 
-struct fill {
-    char text[8];
-};
-
-static struct fill fill_of(const float *linear)
+static struct svg_fill fill_of(const float *linear)
 {
-    struct fill fill;
-    unsigned part[3];
-    for (int c = 0; c < 3; c++) {
-        float value = ink_encode(linear[c]);
-        part[c] = value <= 0 ? 0 : value >= 1 ? 255 : (unsigned)(255 * value + 0.5f);
-    }
-    snprintf(fill.text, sizeof fill.text, "#%02x%02x%02x", part[0] & 255u, part[1] & 255u, part[2] & 255u);
-    return fill;
-}
-
-struct place {
-    float x, y, radius;
-};
-
-/* One side of a branch, its places moved across by their radii. */
-static void put_side(struct bolt_text *text, const struct place *places, int32_t count, bool back)
-{
-    for (int32_t k = 0; k < count; k++) {
-        int32_t i = back ? count - 1 - k : k;
-        const struct place *a = &places[i > 0 ? i - 1 : 0], *b = &places[i + 1 < count ? i + 1 : i];
-        float dx = b->x - a->x, dy = b->y - a->y, length = sqrtf(dx * dx + dy * dy);
-        float side = (back ? -1.0f : 1.0f) * places[i].radius / (length > 1e-6f ? length : 1);
-        bolt_text_put(text, "%c%.2f %.2f", k == 0 && !back ? 'M' : 'L', (double)(places[i].x - dy * side),
-                      (double)(places[i].y + dx * side));
-    }
+    const float rgb[3] = {ink_encode(linear[0]), ink_encode(linear[1]), ink_encode(linear[2])};
+    return svg_fill(rgb);
 }
 
 struct branch {
@@ -69,39 +40,39 @@ static void colour_of(const struct bolt_result *result, const struct bolt_node *
     }
 }
 
-static void put_branch(struct bolt_text *text, const struct bolt_result *result, int32_t first, struct place *places)
+static void put_branch(struct file_text *text, const struct bolt_result *result, int32_t first,
+                       struct svg_place *places)
 {
     const struct bolt_node *nodes = result->shape.nodes, *parent = &nodes[nodes[first].parent];
     int32_t count = 0;
     float colour[3];
-    places[count++] = (struct place){parent->at[0], parent->at[1], bolt_shape_root(&result->shape, first)};
+    places[count++] = (struct svg_place){parent->at[0], parent->at[1], bolt_shape_root(&result->shape, first)};
     for (int32_t i = first; i >= 0; i = nodes[i].heaviest) {
-        places[count++] = (struct place){nodes[i].at[0], nodes[i].at[1], nodes[i].radius};
+        places[count++] = (struct svg_place){nodes[i].at[0], nodes[i].at[1], nodes[i].radius};
     }
     colour_of(result, &nodes[first], colour);
-    bolt_text_put(text, "<path class=\"branch\" fill=\"%s\" data-tips=\"%d\" data-width=\"%.2f %.2f\" d=\"",
+    file_text_put(text, "<path class=\"branch\" fill=\"%s\" data-tips=\"%d\" data-width=\"%.2f %.2f\" d=\"",
                   fill_of(colour).text, nodes[first].tips, (double)(2 * places[0].radius),
                   (double)(2 * places[count - 1].radius));
-    put_side(text, places, count, false);
-    put_side(text, places, count, true);
-    bolt_text_put(text, "Z\"/>\n");
+    svg_outline(text, places, count);
+    file_text_put(text, "\"/>\n");
 }
 
-static void put_leaf(struct bolt_text *text, const struct bolt_result *result, int32_t node, float size)
+static void put_leaf(struct file_text *text, const struct bolt_result *result, int32_t node, float size)
 {
     const struct bolt_node *here = &result->shape.nodes[node], *parent = &result->shape.nodes[here->parent];
     float dx = here->at[0] - parent->at[0], dy = here->at[1] - parent->at[1], length = sqrtf(dx * dx + dy * dy);
     dx *= size / (length > 1e-6f ? length : 1);
     dy *= size / (length > 1e-6f ? length : 1);
-    bolt_text_put(text,
+    file_text_put(text,
                   "<path class=\"leaf\" fill=\"%s\" d=\"M%.2f %.2fq%.2f %.2f %.2f %.2fq%.2f %.2f %.2f %.2fZ\"/>\n",
                   fill_of(result->order->bolt.look.core).text, (double)here->at[0], (double)here->at[1],
                   (double)(dx - dy), (double)(dy + dx), (double)(2 * dx), (double)(2 * dy), (double)(-dx + dy),
                   (double)(-dy - dx), (double)(-2 * dx), (double)(-2 * dy));
 }
 
-static void put_all(struct bolt_text *text, const struct bolt_result *result, struct branch *branches,
-                    struct place *places)
+static void put_all(struct file_text *text, const struct bolt_result *result, struct branch *branches,
+                    struct svg_place *places)
 {
     const struct bolt_shape *shape = &result->shape;
     int32_t count = 0;
@@ -127,29 +98,29 @@ bool bolt_write_svg(const struct bolt_result *result, const char *path, struct f
     const struct bolt_order *order = result->order;
     size_t room = (size_t)result->shape.count + 1;
     struct branch *branches = malloc(room * sizeof *branches);
-    struct place *places = malloc(room * sizeof *places);
-    struct bolt_text text = {.failed = !branches || !places};
+    struct svg_place *places = malloc(room * sizeof *places);
+    struct file_text text = {.failed = !branches || !places};
     bool glows = order->bolt.look.style == BOLT_GLOW;
-    bolt_text_put(&text,
+    file_text_put(&text,
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\">\n",
                   order->width, order->height, order->width, order->height);
     if (glows) {
-        bolt_text_put(&text,
+        file_text_put(&text,
                       "<defs><filter id=\"glow\" x=\"-20%%\" y=\"-20%%\" width=\"140%%\" height=\"140%%\">"
                       "<feGaussianBlur stdDeviation=\"%.2f\"/></filter></defs>\n",
                       (double)(2 * order->bolt.look.trunk));
     }
-    bolt_text_put(&text, "<rect width=\"100%%\" height=\"100%%\" fill=\"%s\"/>\n",
+    file_text_put(&text, "<rect width=\"100%%\" height=\"100%%\" fill=\"%s\"/>\n",
                   fill_of(order->bolt.look.ground).text);
     for (int layer = glows ? 0 : 1; layer < 2; layer++) {
-        bolt_text_put(&text, layer == 0 ? "<g id=\"glow-layer\" filter=\"url(#glow)\">\n" : "<g id=\"branches\">\n");
+        file_text_put(&text, layer == 0 ? "<g id=\"glow-layer\" filter=\"url(#glow)\">\n" : "<g id=\"branches\">\n");
         if (!text.failed) {
             put_all(&text, result, branches, places);
         }
-        bolt_text_put(&text, "</g>\n");
+        file_text_put(&text, "</g>\n");
     }
-    bolt_text_put(&text, "</svg>\n");
+    file_text_put(&text, "</svg>\n");
     free(branches);
     free(places);
-    return bolt_text_write(&text, path, error);
+    return file_text_write(&text, path, error);
 }

@@ -15,16 +15,22 @@ static const char HELP[] =
     "or two; leave the machine alone meanwhile.\n\n"
     "      --json  {\"bench\": NAME, \"figures\": [{\"name\", \"value\", \"unit\"}]}, one a line\n"
     "      --help  this\n\n"
-    "Benches: painting, gpu, trees, growth, chemistry\n";
+    "Benches: ";
 
 static const struct {
     const char *name;
     bool (*run)(struct bench *bench);
-} BENCHES[] = {{"painting", bench_painting},
-               {"gpu", bench_graphics},
-               {"trees", bench_trees},
-               {"growth", bench_growth},
-               {"chemistry", bench_chemistry}};
+} BENCHES[] = {{"painting", bench_painting}, {"gpu", bench_graphics},        {"trees", bench_trees},
+               {"growth", bench_growth},     {"chemistry", bench_chemistry}, {"scenes", bench_scenes}};
+enum { BENCH_COUNT = sizeof BENCHES / sizeof BENCHES[0] };
+
+static void print_help(void)
+{
+    fputs(HELP, stdout);
+    for (int i = 0; i < BENCH_COUNT; i++) {
+        printf("%s%s", BENCHES[i].name, i + 1 < BENCH_COUNT ? ", " : "\n");
+    }
+}
 
 static void print_json(const struct bench *bench)
 {
@@ -61,7 +67,7 @@ static int run_bench(const char *name, bool json)
 {
     struct names names = {.count = 0};
     bool found = false;
-    for (size_t i = 0; i < sizeof BENCHES / sizeof BENCHES[0]; i++) {
+    for (int i = 0; i < BENCH_COUNT; i++) {
         names.names[names.count++] = BENCHES[i].name;
         if (name && strcmp(name, BENCHES[i].name) != 0) {
             continue;
@@ -98,7 +104,7 @@ int command_bench(int argc, char *argv[])
         if (option == JSON) {
             json = true;
         } else if (option == HELP_ASKED || option == 'h') {
-            fputs(HELP, stdout);
+            print_help();
             return EXIT_STATUS_GOOD;
         } else {
             return option_usage("bench", option, argv);

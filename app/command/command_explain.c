@@ -30,12 +30,13 @@ static struct names names_of_tables(const struct inputs_table *tables)
 
 static void suggest(const char *asked)
 {
+    struct inputs_tables inputs;
     struct names names = names_of_keys(script_keys);
     struct names more[] = {names_of_verbs(),
                            names_of_keys(coefficient_keys),
                            names_of_keys(canvas_keys),
                            names_of_tables(exhibit_tables),
-                           names_of_tables(inputs_tables),
+                           names_of_tables(inputs_tables_of(&inputs)),
                            names_of_keys(growth_keys)};
     for (size_t i = 0; i < sizeof more / sizeof *more; i++) {
         for (int k = 0; k < more[i].count && names.count < NAMES_MAX; k++) {

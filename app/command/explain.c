@@ -37,9 +37,7 @@ static const char *type_name(const struct key *key)
         [KEY_BRUSH] = "brush",
         [KEY_RASTER] = "expression",
         [KEY_PICTURE] = "path",
-        [KEY_GROWTH] = "option",
-        [KEY_STORM] = "option",
-        [KEY_DISH] = "option",
+        [KEY_OPTION] = "option",
         [KEY_TEXT] = "text",
         [KEY_COEFFICIENT] = "coefficient",
         [KEY_ZONE] = "zone",
@@ -182,16 +180,10 @@ static void explain_tables(struct explaining *explaining, const struct inputs_ta
     explaining->asked = asked;
 }
 
-/* Of the sections of scenes that are no paintings. */
-static const char *const ABOUT_OPTIONS[SCENE_KINDS] = {
-    [SCENE_TREES] = "How they grow in a scene of trees; defaults are those of ink.",
-    [SCENE_LIGHTNING] = "How it grows in a scene of lightning; defaults are those of the first kind.",
-    [SCENE_CHEMISTRY] = "How chemicals react in a scene of chemistry, and what they look like.",
-};
-
 bool explain(const char *asked, FILE *out)
 {
     struct key options[EXHIBIT_OPTIONS_KEYS];
+    struct inputs_tables inputs;
     struct explaining explaining = {.asked = asked, .out = out};
     explain_keys(&explaining, "script", "A session script in YAML.", script_keys);
     explain_keys(&explaining, "canvas", "The sheet.", canvas_keys);
@@ -210,9 +202,9 @@ bool explain(const char *asked, FILE *out)
     explain_tables(&explaining, exhibit_tables);
     for (int kind = SCENE_PAINTING + 1; kind < SCENE_KINDS; kind++) {
         exhibit_options_keys((enum scene_kind)kind, options);
-        explain_keys(&explaining, scene_kind_names[kind], ABOUT_OPTIONS[kind], options);
+        explain_keys(&explaining, scene_kind_names[kind], scene_kind_meanings[kind], options);
     }
-    explain_tables(&explaining, inputs_tables);
+    explain_tables(&explaining, inputs_tables_of(&inputs));
     explain_keys(&explaining, "grow", "Options of frond grow.", growth_keys);
     explain_keys(&explaining, "grow", "Options of frond grow.", grow_keys);
     explain_keys(&explaining, "bolt", "Options of frond bolt; defaults are those of the kind.", laplacian_keys);

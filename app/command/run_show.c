@@ -61,7 +61,7 @@ static int render_session(const char *path, const struct script *script)
  * there is neither a desktop nor a screen. */
 static struct display *open_display(const struct display_def *def, int *status)
 {
-    struct display_error error;
+    struct device_error error;
     struct display *display = display_create(def, &error);
     *status = EXIT_STATUS_GOOD;
     if (!display && def->kind != DISPLAY_AUTO) {

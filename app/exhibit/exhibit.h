@@ -95,25 +95,27 @@ struct exhibit_scene {
     int feed_count;
 };
 
-enum exhibit_tool { /* what a finger on the sheet does; the order on the palette */
-                    TOOL_DROP,
-                    TOOL_BRUSH,
-                    TOOL_GUIDE,
-                    TOOL_POUR,
-                    TOOL_MASK,
-                    TOOL_REWIND, /* the time brush */
-                    TOOL_PLANT,  /* this and those below are for scenes of trees */
-                    TOOL_TEND,   /* what is under the finger is more important */
-                    TOOL_THIN,   /* less important */
-                    TOOL_STRIKE, /* this and the next two are for scenes of lightning; a finger that stays attracts */
-                    TOOL_REPEL,  /* a finger that stays repels */
-                    TOOL_STROKE, /* a line that attracts, and stays */
-                    TOOL_DOSE,   /* this and those below are for scenes of chemistry */
-                    TOOL_ERASE,
-                    TOOL_MAP, /* opens the map of feed and kill */
-                    TOOLS,
-};
+/* What a finger on the sheet does, in the order on the palette; how files name it; the kind of scene that it is for. */
+#define EXHIBIT_TOOLS(TOOL)                                                                                            \
+    TOOL(TOOL_DROP, "drop", SCENE_PAINTING)                                                                            \
+    TOOL(TOOL_BRUSH, "brush", SCENE_PAINTING)                                                                          \
+    TOOL(TOOL_GUIDE, "guide", SCENE_PAINTING)                                                                          \
+    TOOL(TOOL_POUR, "pour", SCENE_PAINTING)                                                                            \
+    TOOL(TOOL_MASK, "mask", SCENE_PAINTING)                                                                            \
+    TOOL(TOOL_REWIND, "rewind", SCENE_PAINTING) /* the time brush */                                                   \
+    TOOL(TOOL_PLANT, "plant", SCENE_TREES)                                                                             \
+    TOOL(TOOL_TEND, "tend", SCENE_TREES)         /* what is under the finger is more important */                      \
+    TOOL(TOOL_THIN, "thin", SCENE_TREES)         /* less important */                                                  \
+    TOOL(TOOL_STRIKE, "strike", SCENE_LIGHTNING) /* a finger that stays attracts */                                    \
+    TOOL(TOOL_REPEL, "repel", SCENE_LIGHTNING)   /* a finger that stays repels */                                      \
+    TOOL(TOOL_STROKE, "stroke", SCENE_LIGHTNING) /* a line that attracts, and stays */                                 \
+    TOOL(TOOL_DOSE, "dose", SCENE_CHEMISTRY)                                                                           \
+    TOOL(TOOL_ERASE, "erase", SCENE_CHEMISTRY)                                                                         \
+    TOOL(TOOL_MAP, "map", SCENE_CHEMISTRY) /* opens the map of feed and kill */
 
+#define TOOL_ENUMERATOR(tool, name, kind) tool,
+enum exhibit_tool { EXHIBIT_TOOLS(TOOL_ENUMERATOR) TOOLS };
+#undef TOOL_ENUMERATOR
 extern const char *const exhibit_tool_names[];          /* "drop", "brush", ...; ends with NULL */
 extern const enum scene_kind exhibit_tool_kinds[TOOLS]; /* the scenes that a tool is for */
 
@@ -122,14 +124,15 @@ static inline bool tool_fits(int tool, int kind)
     return tool >= 0 && tool < TOOLS && (int)exhibit_tool_kinds[tool] == kind;
 }
 
-/* The tool that every scene of a kind has, the first of its tools. */
+/* The tool that every scene of a kind has, the first of its tools; TOOL_DROP, which is any binding's that names none,
+ * where the kind has no tools of its own. */
 static inline enum exhibit_tool tool_first(int kind)
 {
-    int tool = 0;
-    while (tool < TOOLS - 1 && !tool_fits(tool, kind)) {
-        tool++;
+    int tool = TOOLS - 1;
+    for (int i = tool; i >= 0; i--) {
+        tool = tool_fits(i, kind) ? i : tool;
     }
-    return (enum exhibit_tool)tool;
+    return tool_fits(tool, kind) ? (enum exhibit_tool)tool : TOOL_DROP;
 }
 
 enum exhibit_side { SIDE_OF_LEFT, SIDE_OF_RIGHT, SIDE_OF_BOTTOM, SIDE_OF_NONE };

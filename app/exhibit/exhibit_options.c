@@ -16,16 +16,7 @@ static const struct key OVER = {.name = "over",
 
 const char *exhibit_kind_of_scene(int kind)
 {
-    static const char *const CALLED[SCENE_KINDS] = {"a scene of paintings", "a scene of trees", "a scene of lightning",
-                                                    "a scene of chemistry"};
-    return CALLED[kind];
-}
-
-static size_t offset_of(enum scene_kind kind)
-{
-    struct scene_options options = {.kind = kind};
-    return offsetof(struct exhibit_scene, options) +
-           (size_t)((char *)scene_options_object(&options) - (char *)&options);
+    return kind == SCENE_PAINTING ? "paintings" : scene_kind_names[kind];
 }
 
 void exhibit_options_keys(enum scene_kind kind, struct key keys[EXHIBIT_OPTIONS_KEYS])
@@ -37,7 +28,7 @@ void exhibit_options_keys(enum scene_kind kind, struct key keys[EXHIBIT_OPTIONS_
     for (const struct key *key = scene_options_keys(kind); key->name && count < EXHIBIT_OPTIONS_KEYS - 1; key++) {
         if (scene_option_is_value(key)) {
             keys[count] = *key;
-            keys[count++].offset += offset_of(kind);
+            keys[count++].offset += offsetof(struct exhibit_scene, options.any);
         }
     }
     keys[count] = (struct key){.name = NULL};
@@ -93,7 +84,8 @@ static const struct yaml_node *read_section(struct reader *reader, const struct 
     }
     size_t length = reader_enter(reader, name);
     if (scene->kind != (int)kind) {
-        reader_problem(reader, node, "in %s; kind: %s, or no %s", exhibit_kind_of_scene(scene->kind), name, name);
+        reader_problem(reader, node, "in a scene of %s; kind: %s, or no %s", exhibit_kind_of_scene(scene->kind), name,
+                       name);
     } else if (node->kind != YAML_MAPPING) {
         const struct key *first = scene_options_keys(kind);
         snprintf(allowed, sizeof allowed, "{%s: %s, ...}; see frond explain %s", first->name,
@@ -137,7 +129,8 @@ static void read_opening(struct reader *reader, const struct yaml_node *item, in
         action.verb != ACTION_REDO) {
         scene->ground[scene->ground_count++] = action;
     } else {
-        exhibit_problem(reader, action_name(action.verb), item, "does nothing to a fresh sheet of %s; another verb",
+        exhibit_problem(reader, action_name(action.verb), item,
+                        "does nothing to a fresh sheet of a scene of %s; another verb",
                         exhibit_kind_of_scene(scene->kind));
     }
 }

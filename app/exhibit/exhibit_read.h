@@ -59,12 +59,12 @@ void exhibit_read_words(struct reader *reader, const struct yaml_node *root, con
 void exhibit_read_texts(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
 /* After languages and sheet. */
 void exhibit_read_scenes(struct reader *reader, const struct yaml_node *root, struct exhibit *exhibit);
-/* `trees`, `lightning`, `chemistry` of a scene that has been read as far as its kind. */
+/* The section of its kind (`trees`, ...) of a scene that has been read as far as its kind. */
 void exhibit_read_options(struct reader *reader, const struct yaml_node *item, const struct exhibit *exhibit,
                           struct exhibit_scene *scene);
 /* `opening` of a scene that has been read as far as its inks. */
 void exhibit_read_opening(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);
-/* What a scene is called in a report: "a scene of paintings", "a scene of trees". */
+/* What a report says that a scene is of: "paintings", "trees". */
 const char *exhibit_kind_of_scene(int kind);
 /* `structures` of a scene that has been read as far as its coefficients. */
 void exhibit_read_structures(struct reader *reader, const struct yaml_node *item, struct exhibit_scene *scene);

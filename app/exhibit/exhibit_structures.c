@@ -88,8 +88,8 @@ void exhibit_read_structures(struct reader *reader, const struct yaml_node *item
 {
     const struct yaml_node *list = yaml_get(item, "structures");
     if (list && scene->kind != SCENE_PAINTING) {
-        exhibit_problem(reader, "structures", list, "in %s; %s, or kind: painting", exhibit_kind_of_scene(scene->kind),
-                        scene_kind_names[scene->kind]);
+        exhibit_problem(reader, "structures", list, "in a scene of %s; %s, or kind: painting",
+                        exhibit_kind_of_scene(scene->kind), scene_kind_names[scene->kind]);
     } else {
         inputs_list(reader, item, "structures", EXHIBIT_STRUCTURES, "a list of {over: PICTURE, as: guide, ...}",
                     read_structure, scene);

@@ -1,7 +1,7 @@
 #include <string.h>
 
 #include "exhibit_read.h"
-#include "key_rows.h"
+#include "file_rows.h"
 #include "script_read.h"
 #include "transition.h"
 
@@ -11,15 +11,10 @@ static const char *const ENGINES[] = {"auto", "cpu", "gpu", NULL};
 static const char *const TURNS[] = {"0", "90", "180", "270", NULL};
 static const char *const SIDES[] = {"left", "right", "bottom", "none", NULL};
 
-const char *const exhibit_tool_names[] = {"drop", "brush",  "guide", "pour",   "mask", "rewind", "plant", "tend",
-                                          "thin", "strike", "repel", "stroke", "dose", "erase",  "map",   NULL};
-const enum scene_kind exhibit_tool_kinds[TOOLS] = {
-    [TOOL_DROP] = SCENE_PAINTING,    [TOOL_BRUSH] = SCENE_PAINTING,  [TOOL_GUIDE] = SCENE_PAINTING,
-    [TOOL_POUR] = SCENE_PAINTING,    [TOOL_MASK] = SCENE_PAINTING,   [TOOL_REWIND] = SCENE_PAINTING,
-    [TOOL_PLANT] = SCENE_TREES,      [TOOL_TEND] = SCENE_TREES,      [TOOL_THIN] = SCENE_TREES,
-    [TOOL_STRIKE] = SCENE_LIGHTNING, [TOOL_REPEL] = SCENE_LIGHTNING, [TOOL_STROKE] = SCENE_LIGHTNING,
-    [TOOL_DOSE] = SCENE_CHEMISTRY,   [TOOL_ERASE] = SCENE_CHEMISTRY, [TOOL_MAP] = SCENE_CHEMISTRY,
-};
+#define TOOL_NAME(tool, name, kind) name,
+#define TOOL_KIND(tool, name, kind) kind,
+const char *const exhibit_tool_names[] = {EXHIBIT_TOOLS(TOOL_NAME) NULL};
+const enum scene_kind exhibit_tool_kinds[TOOLS] = {EXHIBIT_TOOLS(TOOL_KIND)};
 const char *const corner_names[] = {"top left", "top right", "bottom right", "bottom left", NULL};
 const char *const day_names[] = {"mon", "tue", "wed", "thu", "fri", "sat", "sun", NULL};
 
@@ -93,7 +88,7 @@ const struct key display_keys[] = {
 const struct key sheet_keys[] = {
     WHOLE("cells", SHEET, cells, "cells", EXHIBIT_CELLS_MIN, EXHIBIT_CELLS_MAX, 345600, false,
           "How fine the whole sheet is, which has the shape of the screen; more is finer, and slower."),
-    WHOLE("margin", SHEET, margin, "cells", 0, PAINTING_MARGIN_MAX, 0, false,
+    WHOLE("margin", SHEET, margin, "cells", 0, CANVAS_MARGIN_MAX, 0, false,
           "Cells simulated beyond each side, so that growth does not turn square there."),
     WHOLE("seed", SHEET, seed, "", 0, 2147483647, 1, false, "Seed of everything random: another one is another paper."),
     WHOLE("rate", SHEET, rate, "ticks a second", 10, 240, 60, false, "How fast the painting grows."),
@@ -107,7 +102,8 @@ const struct key palettes_keys[] = {
     END,
 };
 
-#define SCENE struct exhibit_scene
+#define SCENE                                  struct exhibit_scene
+#define SCENE_SECTION(kind, name, type, about) SECTION(name, about),
 const struct key scene_keys[] = {
     TEXT("id", SCENE, id, "a word", ID_BYTES, true, "What the staff's view and the log call the scene."),
     SECTION("title", "What visitors call it, by language: {en: ..., fr: ...}."),
@@ -117,9 +113,7 @@ const struct key scene_keys[] = {
     CHOICE("leave", SCENE, leave, transition_names, TRANSITION_WASH, false,
            "How it goes when another scene comes or the visit ends: water washes it down, the sheet dries from its "
            "edges, or frost grows over it and melts."),
-    SECTION("trees", "How they grow in a scene of trees, as `frond grow` does it, and over which picture first."),
-    SECTION("lightning", "How it grows in a scene of lightning: bolts, corals, rivers, frost."),
-    SECTION("chemistry", "How chemicals react in a scene of chemistry, and what they look like."),
+    SCENE_TYPES(SCENE_SECTION) /* one for each kind */
     SECTION("inks", "A list of one to four inks, by name."),
     SECTION("palette", "Four inks at once, by the id of a palette of the exhibit's own or the name of a shipped one, "
                        "instead of inks; the first shipped one if both are left out."),

@@ -1,10 +1,10 @@
 #include "feed_action.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "raster.h"
+#include "rounded.h"
 
 static const float PALE = 0.4f; /* of a drawing's darkness: a background's */
 
@@ -52,7 +52,7 @@ static float *make_values(const struct exhibit_feed *feed, const struct outcome 
 static void fade(float *values, size_t count, float strength)
 {
     for (size_t i = 0; i < count; i++) {
-        values[i] = nearbyintf((1 - strength * (1 - values[i])) * 65536) / 65536;
+        values[i] = rounded(1 - strength * (1 - values[i]));
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "along.h"
 #include "blur.h"
+#include "rounded.h"
 
 enum { LEVELS = 256 };
 
@@ -55,7 +56,7 @@ static bool make_dark(float *values, int count)
     float most = quantile(values, count, MOST);
     for (int i = 0; i < count && most >= LEAST; i++) {
         float out = values[i] < most ? values[i] / most : 1;
-        values[i] = nearbyintf((1 - out) * 65536) / 65536;
+        values[i] = rounded(1 - out);
     }
     return most >= LEAST;
 }

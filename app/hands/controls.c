@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "controls_state.h"
+#include "device_class.h"
 #include "hid_usage.h"
 
 static const float PRESSED = 0.5f, RELEASED = 0.4f; /* of the way of an axis that is taken for a button */
@@ -22,7 +23,7 @@ struct controls *controls_create(const struct controls_def *def)
     for (int i = 0; i < def->inputs->binding_count; i++) {
         const struct binding *binding = &def->inputs->bindings[i];
         bool two = binding->touch == TOUCH_TWO || binding->touch == TOUCH_PINCH;
-        if (binding->source == BINDING_TOUCH && two) {
+        if (!binding->source && two) {
             controls->pairs[binding->tool] = true;
         }
     }
@@ -43,19 +44,9 @@ struct cause controls_cause(const struct controls *controls, int finger, int own
 
 static bool hears(struct controls *controls, const struct binding *binding, const struct event *event)
 {
-    switch (binding->source) {
-    case BINDING_USAGE:
-        return event->source == SOURCE_HID && binding->control == event->control &&
-               (binding->index < 0 || binding->index == event->index) && controls_is_device(controls, binding, event);
-    case BINDING_KEY:
-        return event->source == SOURCE_KEY && binding->control == event->control &&
-               controls_is_device(controls, binding, event);
-    case BINDING_BUTTON:
-    case BINDING_ENCODER:
-        return event->source == SOURCE_GPIO && binding->control == event->control;
-    default:
-        return false;
-    }
+    const struct binding_source *from = binding->source;
+    return from && from->source == event->source && binding->control == event->control &&
+           (binding->index < 0 || binding->index == event->index) && controls_is_device(controls, binding, event);
 }
 
 /* How far a control is pressed, 0..1, to the side that the binding wants. */

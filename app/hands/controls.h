@@ -57,8 +57,8 @@ void controls_destroy(struct controls *controls); /* takes NULL */
 void controls_introduce(struct controls *controls, enum event_source source, const struct device *device);
 void controls_feel(struct controls *controls, const struct event *event);
 /* A point that has rested, or the one switch, wants what a finger would do that comes down there and leaves: the press
- * and tap bindings of the tool of the seat there, else its drags as a dab, else a drop; no wishes. `visitor`: a
- * controller, which paints in its ink; any other: the seat. */
+ * and tap bindings of the tool of the seat there, else its drags as a dab, else what its hand does there to bolts, for
+ * good, else a drop; no wishes. `visitor`: a controller, which paints in its ink; any other: the seat. */
 void controls_tap(struct controls *controls, int visitor, struct point at, uint64_t time_us);
 /* Time has passed, CLOCK_MONOTONIC in microseconds as the events have it. */
 void controls_run(struct controls *controls, uint64_t now_us);

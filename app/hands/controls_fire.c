@@ -198,15 +198,36 @@ static int fire_all(struct controls *controls, bool (*wanted)(const struct bindi
     return fired;
 }
 
+/* What attracts or repels only as long as a hand lies there is painted there instead, one point of a stroke: a tap is
+ * over at once. False: the tool has no such thing. */
+static bool stay_there(struct controls *controls, const struct cause *cause)
+{
+    for (int i = 0; i < controls->def.inputs->binding_count; i++) {
+        const struct binding *binding = controls_binding(controls, i);
+        bool tool = !binding->source && binding->tool == (int)controls->finger_tool[TAPPER];
+        if (!tool || !controls_suits(controls, binding) || !binding_holds(binding) ||
+            binding->action.verb != ACTION_ATTRACT) {
+            continue;
+        }
+        struct queued *queued = push(controls, cause->time_us);
+        if (queued) {
+            queued->action = binding->action;
+            queued->action.visitor = controls_visitor_of(controls, cause);
+            queued->points[0] = cause->at;
+            queued->action.path.count = 1;
+            queued->own_path = true;
+        }
+        return true;
+    }
+    return false;
+}
+
 static void drop_anyway(struct controls *controls, const struct cause *cause)
 {
-    static const enum action_verb FIRST[SCENE_KINDS] = {[SCENE_PAINTING] = ACTION_DROP,
-                                                        [SCENE_TREES] = ACTION_PLANT,
-                                                        [SCENE_LIGHTNING] = ACTION_STRIKE,
-                                                        [SCENE_CHEMISTRY] = ACTION_DOSE};
+    const struct scene_type *type = scene_types[controls->options.kind];
     struct queued *queued = push(controls, cause->time_us);
     if (queued) {
-        queued->action = action_default(FIRST[controls->options.kind]);
+        queued->action = action_default(type ? type->begins : ACTION_DROP);
         queued->action.visitor = controls_visitor_of(controls, cause);
         queued->action.ink = controls_ink_of(controls, cause) % controls->def.inks;
         queued->action.at = cause->at;
@@ -233,7 +254,7 @@ void controls_tap(struct controls *controls, int visitor, struct point at, uint6
         return;
     }
     cause.stroke = &dab;
-    if (fire_all(controls, drags, &cause) == 0) {
+    if (fire_all(controls, drags, &cause) == 0 && !stay_there(controls, &cause)) {
         drop_anyway(controls, &cause);
     }
 }

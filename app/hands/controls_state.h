@@ -61,7 +61,7 @@ struct known { /* which entries of the file a device is: a bit each */
     enum event_source source;
     uint32_t device;
     uint64_t identity; /* the same when it comes back, by what is known of it; 0: unknown */
-    uint32_t controllers, keyboards;
+    uint32_t entries;
 };
 
 struct queued {
@@ -124,7 +124,7 @@ static inline const struct binding *controls_binding(const struct controls *cont
 
 static inline bool binding_touches(const struct binding *binding, int touch, enum exhibit_tool tool)
 {
-    return binding->source == BINDING_TOUCH && binding->touch == touch && binding->tool == (int)tool;
+    return !binding->source && binding->touch == touch && binding->tool == (int)tool;
 }
 
 /* controls_visitor.c */

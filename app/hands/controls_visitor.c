@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "controls_state.h"
+#include "device_class.h"
 
 void controls_start_seats(struct controls *controls)
 {
@@ -183,6 +184,18 @@ static uint64_t identity_of(enum event_source source, const struct device *devic
     return hash;
 }
 
+/* Which of the listed devices of a class it is, a bit each. */
+static uint32_t entries_of(const struct binding_source *from, const struct inputs *inputs, const struct device *device)
+{
+    uint32_t entries = 0;
+    int count = 0;
+    const struct inputs_device *devices = from->devices ? from->devices(inputs, &count) : NULL;
+    for (int i = 0; i < count; i++) {
+        entries |= inputs_match(&devices[i], device->vendor, device->product, device->name) ? 1u << i : 0;
+    }
+    return entries;
+}
+
 void controls_introduce(struct controls *controls, enum event_source source, const struct device *device)
 {
     const struct inputs *inputs = controls->def.inputs;
@@ -195,13 +208,10 @@ void controls_introduce(struct controls *controls, enum event_source source, con
     }
     *known =
         (struct known){.used = true, .source = source, .device = device->id, .identity = identity_of(source, device)};
-    for (int i = 0; i < inputs->controller_count; i++) {
-        bool is = inputs_match(&inputs->controllers[i], device->vendor, device->product, device->name);
-        known->controllers |= is ? 1u << i : 0;
-    }
-    for (int i = 0; i < inputs->keyboard_count; i++) {
-        bool is = inputs_match(&inputs->keyboards[i], device->vendor, device->product, device->name);
-        known->keyboards |= is ? 1u << i : 0;
+    for (int i = 0; device_classes[i]; i++) {
+        for (const struct binding_source *from = device_classes[i]->sources; from->key.name; from++) {
+            known->entries |= from->source == source ? entries_of(from, inputs, device) : 0;
+        }
     }
 }
 
@@ -211,8 +221,7 @@ bool controls_is_device(struct controls *controls, const struct binding *binding
         return true;
     }
     const struct known *known = known_of(controls, event->source, event->device);
-    uint32_t entries = !known ? 0 : binding->source == BINDING_KEY ? known->keyboards : known->controllers;
-    return entries & 1u << binding->device;
+    return known && known->entries & 1u << binding->device;
 }
 
 /* How well a place suits a device that has none: 3 its own from before, 2 free, 1 of one that is gone, 0 taken. */

@@ -4,12 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "inputs_read.h"
-
-void inputs_wrong_kind(struct reader *reader, const struct yaml_node *node, const char *allowed)
-{
-    value_wrong_kind(reader, node, allowed);
-}
+#include "device_class.h"
 
 int inputs_list(struct reader *reader, const struct yaml_node *node, const char *name, int most, const char *allowed,
                 void (*read)(struct reader *reader, const struct yaml_node *item, int index, void *context),
@@ -22,7 +17,7 @@ int inputs_list(struct reader *reader, const struct yaml_node *node, const char 
     }
     size_t length = reader_enter(reader, name);
     if (list->kind != YAML_LIST) {
-        inputs_wrong_kind(reader, list, allowed);
+        value_wrong_kind(reader, list, allowed);
     } else if (list->count > most) {
         reader_problem(reader, list, "a list of %d; at most %d", list->count, most);
     } else {
@@ -40,13 +35,13 @@ static bool read_scalar(struct reader *reader, const struct key *key, const stru
                         void *context)
 {
     (void)context;
-    return inputs_is_section(key) || value_read(reader, key, node, object);
+    return key_is_section(key) || value_read(reader, key, node, object);
 }
 
-static void read_mapping(struct reader *reader, const struct yaml_node *root, const char *name, const struct key *keys,
-                         void *object, const char *allowed)
+void inputs_mapping(struct reader *reader, const struct yaml_node *within, const char *name, const struct key *keys,
+                    void *object, const char *allowed)
 {
-    const struct yaml_node *node = yaml_get(root, name);
+    const struct yaml_node *node = yaml_get(within, name);
     struct value_reading reading = {.read = read_scalar};
     if (!node || yaml_is_nothing(node)) {
         return;
@@ -55,32 +50,32 @@ static void read_mapping(struct reader *reader, const struct yaml_node *root, co
     if (node->kind == YAML_MAPPING) {
         mapping_read(reader, keys, node, object, &reading);
     } else {
-        inputs_wrong_kind(reader, node, allowed);
+        value_wrong_kind(reader, node, allowed);
     }
     reader_leave(reader, length);
 }
 
-static void default_scalars(const struct key *keys, struct inputs *inputs)
+void inputs_defaults(const struct key *keys, void *object)
 {
     for (; keys->name; keys++) {
-        if (!inputs_is_section(keys)) {
+        if (!key_is_section(keys)) {
             struct key one[2] = {*keys, {.name = NULL}};
-            key_defaults(one, inputs);
+            key_defaults(one, object);
         }
     }
 }
 
-static void read_root(struct reader *reader, const struct yaml_node *root, const struct key *keys,
-                      struct inputs *inputs)
+/* `version`: the first row, which a section of an exhibit has not. */
+static void read_root(struct reader *reader, const struct yaml_node *root, bool version, struct inputs *inputs)
 {
     struct value_reading reading = {.read = read_scalar};
-    default_scalars(inputs_keys, inputs);
-    default_scalars(touch_keys, inputs);
-    mapping_read(reader, keys, root, inputs, &reading);
-    read_mapping(reader, root, "touch", touch_keys, inputs, "{touchscreens: true, pointers: false}");
-    inputs_read_devices(reader, root, inputs);
-    read_mapping(reader, root, "gpio", gpio_keys, inputs, "{buttons: [...], encoders: [...], lamps: [...]}");
-    inputs_read_lines(reader, root, inputs);
+    struct key rows[INPUTS_ROWS];
+    inputs_rows(rows);
+    inputs_defaults(rows, inputs);
+    mapping_read(reader, version ? rows : rows + 1, root, inputs, &reading);
+    for (int i = 0; device_classes[i]; i++) {
+        device_classes[i]->read(reader, root, inputs);
+    }
     inputs_read_bindings(reader, root, inputs);
 }
 
@@ -121,7 +116,7 @@ struct inputs *inputs_parse(const char *text, size_t size, const char *folder, c
                    yaml_found(root, found, sizeof found));
     } else {
         struct reader reader = {.report = report, .script = inputs->memory, .def = def, .folder = folder};
-        read_root(&reader, root, inputs_keys, inputs);
+        read_root(&reader, root, true, inputs);
     }
     yaml_destroy(yaml);
     if (!report_empty(report)) {
@@ -144,7 +139,7 @@ struct inputs *inputs_section(struct reader *outer, const struct yaml_node *node
         return NULL;
     }
     reader.script = inputs->memory;
-    read_root(&reader, node, inputs_keys + 1, inputs); /* the first is the version */
+    read_root(&reader, node, false, inputs);
     outer->raster_values = reader.raster_values;
     return inputs;
 }

@@ -36,6 +36,8 @@ enum {
     INPUTS_WRITTEN = 128,  /* bindings of a file */
     INPUTS_BINDINGS = 192, /* with the default ones of tools that it has none for */
     INPUTS_MS_MAX = 60000,
+    INPUTS_ID_BYTES = 40,
+    INPUTS_NAME_BYTES = 63,
 };
 
 enum inputs_visitors {
@@ -90,7 +92,6 @@ struct inputs_light {
     const char *button_name;
 };
 
-enum binding_source { BINDING_TOUCH, BINDING_USAGE, BINDING_BUTTON, BINDING_ENCODER, BINDING_KEY, BINDING_SOURCES };
 enum binding_touch { TOUCH_PRESS, TOUCH_TAP, TOUCH_LONG, TOUCH_DRAG, TOUCH_TWO, TOUCH_PINCH };
 /* enum press_when, and: */
 enum { BINDING_MOVE = PRESS_WHENS, BINDING_WHENS };
@@ -119,12 +120,12 @@ enum binding_parameter { PARAMETER_RADIUS, PARAMETER_SOLVENT, PARAMETER_AMOUNT, 
 
 struct binding {
     /* Where it comes from. */
-    enum binding_source source;
-    int touch;        /* enum binding_touch */
-    int tool;         /* enum exhibit_tool: of BINDING_TOUCH, only fingers that have it */
-    uint32_t control; /* as in struct event */
-    int device;       /* in controllers[] or keyboards[]; -1: any */
-    int index;        /* HID: which of several of one usage; -1: any */
+    const struct binding_source *source; /* of device_class.h; NULL: what fingers do */
+    int touch;                           /* enum binding_touch, of fingers */
+    int tool;                            /* enum exhibit_tool: only of fingers that have it */
+    uint32_t control;                    /* as in struct event */
+    int device;                          /* among those of the source; -1: any */
+    int index;                           /* HID: which of several of one usage; -1: any */
     /* When. */
     int when; /* enum press_when or BINDING_MOVE */
     int ms;
@@ -190,11 +191,17 @@ bool inputs_is(const char *text, size_t size);
 /* Whether this is the device that is meant. */
 bool inputs_match(const struct inputs_device *wanted, uint16_t vendor, uint16_t product, const char *name);
 
-/* The tables behind it, with what they are called in `frond explain`; ends with a table whose name is NULL. */
+/* The tables behind it, with what they are called in `frond explain`. */
 struct inputs_table {
     const char *name, *about;
     const struct key *keys;
 };
-extern const struct inputs_table inputs_tables[];
+enum { INPUTS_TABLES = 40, INPUTS_ROWS = 64 };
+struct inputs_tables { /* what they are put together in */
+    struct inputs_table tables[INPUTS_TABLES];
+    struct key top[INPUTS_ROWS], bindings[INPUTS_ROWS];
+};
+/* The first of them; the last one's name is NULL. Good as long as `memory`. */
+const struct inputs_table *inputs_tables_of(struct inputs_tables *memory);
 
 #endif

@@ -1,39 +1,36 @@
 #include <string.h>
 
+#include "device_class.h"
 #include "exhibit.h"
-#include "inputs_read.h"
-#include "key_names.h"
 #include "script_action.h"
 #include "stroke.h"
-
-enum { ROWS_MAX = 64 };
+#include "verb.h"
 
 /* What a binding is made of, before it is put together. */
 struct parts {
-    struct key rows[ROWS_MAX]; /* its own keys, the verbs, the actions that are no verbs */
+    struct key rows[INPUTS_ROWS]; /* its own keys, the verbs, the actions that are no verbs */
     const struct inputs *inputs;
-    const struct yaml_node *usage, *button, *encoder, *key, *controller, *length;
-    const struct yaml_node *tool; /* NULL: not given */
-    const struct yaml_node *what; /* the parameters of the action */
+    const struct binding_source *from;                           /* NULL: touch */
+    const struct yaml_node *source, *controller, *length, *tool; /* NULL: not given */
+    const struct yaml_node *what;                                /* the parameters of the action */
     const char *what_name, *source_name;
 };
 
 static void fill_rows(struct parts *parts)
 {
-    int count = 0;
-    for (const struct key *key = binding_keys; key->name; key++) {
-        parts->rows[count++] = *key;
-    }
-    for (int i = 0; i < ACTION_VERBS; i++) {
+    inputs_binding_rows(parts->rows);
+    int count = key_count(parts->rows);
+    for (int i = 0; i < ACTION_VERBS && count + 1 < INPUTS_ROWS; i++) {
         enum action_verb verb = (enum action_verb)i;
         if (key_find(binding_do_keys, action_name(verb))) {
             continue; /* the visitor's own, below */
         }
         parts->rows[count++] = (struct key){.name = action_name(verb), .type = KEY_CHOICE, .unit = "section"};
     }
-    for (const struct key *key = binding_do_keys; key->name; key++) {
+    for (const struct key *key = binding_do_keys; key->name && count + 1 < INPUTS_ROWS; key++) {
         parts->rows[count++] = *key;
     }
+    parts->rows[count] = (struct key){.name = NULL};
 }
 
 static void take_source(struct reader *reader, struct parts *parts, const char *name, const struct yaml_node *node)
@@ -45,33 +42,40 @@ static void take_source(struct reader *reader, struct parts *parts, const char *
     parts->source_name = name;
 }
 
+static const struct binding_source *find_source(const char *name)
+{
+    for (int i = 0; device_classes[i]; i++) {
+        for (const struct binding_source *from = device_classes[i]->sources; from->key.name; from++) {
+            if (strcmp(from->key.name, name) == 0) {
+                return from;
+            }
+        }
+    }
+    return NULL;
+}
+
 /* What has a reader of its own is put aside; its text, where it is one, is looked at later. */
 static bool read_part(struct reader *reader, const struct key *key, const struct yaml_node *node, void *object,
                       void *context)
 {
     struct parts *parts = context;
-    struct {
-        const char *name;
-        const struct yaml_node **node;
-        bool source;
-    } places[] = {
-        {"usage", &parts->usage, true}, {"button", &parts->button, true},          {"encoder", &parts->encoder, true},
-        {"key", &parts->key, true},     {"controller", &parts->controller, false}, {"length", &parts->length, false}};
-    if (!inputs_is_section(key)) {
+    if (!key_is_section(key)) {
         if (strcmp(key->name, "touch") == 0) {
             take_source(reader, parts, key->name, node);
         }
         parts->tool = strcmp(key->name, "tool") == 0 ? node : parts->tool;
         return value_read(reader, key, node, object);
     }
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-        if (strcmp(key->name, places[i].name) == 0) {
-            *places[i].node = node;
-            if (places[i].source) {
-                take_source(reader, parts, key->name, node);
-            }
-            return true;
-        }
+    const struct binding_source *from = find_source(key->name);
+    if (from) {
+        parts->from = from;
+        parts->source = node;
+        take_source(reader, parts, key->name, node);
+        return true;
+    }
+    if (strcmp(key->name, "controller") == 0 || strcmp(key->name, "length") == 0) {
+        *(strcmp(key->name, "length") == 0 ? &parts->length : &parts->controller) = node;
+        return true;
     }
     if (parts->what_name) {
         reader_problem(reader, node, "a second action, after %s; a binding has one", parts->what_name);
@@ -82,8 +86,7 @@ static bool read_part(struct reader *reader, const struct key *key, const struct
     return true;
 }
 
-/* A word that names something; NULL where there is none, which is then in the report. */
-static const char *word(struct reader *reader, const struct yaml_node *node, const char *allowed)
+const char *inputs_word(struct reader *reader, const struct yaml_node *node, const char *allowed)
 {
     char found[128];
     if (node->kind == YAML_REFUSED) {
@@ -96,8 +99,8 @@ static const char *word(struct reader *reader, const struct yaml_node *node, con
     return node->text;
 }
 
-static int find_id(struct reader *reader, const char *what, const char *list, const struct yaml_node *node,
-                   const struct names *names)
+int inputs_find(struct reader *reader, const char *what, const char *list, const struct yaml_node *node,
+                const struct names *names)
 {
     char allowed[1200], none[64];
     const char *text = NULL;
@@ -105,7 +108,7 @@ static int find_id(struct reader *reader, const char *what, const char *list, co
     size_t length = reader_enter(reader, what);
     snprintf(none, sizeof none, "there are none in %s", list);
     names_allowed(names, node->kind == YAML_SCALAR ? node->text : "", allowed, sizeof allowed);
-    text = word(reader, node, names->count ? allowed : none);
+    text = inputs_word(reader, node, names->count ? allowed : none);
     index = text ? names_find(names, text) : -1;
     if (text && index < 0) {
         char found[128];
@@ -125,83 +128,52 @@ static struct names names_of_devices(const struct inputs_device *devices, int co
     return names;
 }
 
-static struct names names_of_lines(const struct inputs_lines *lines, int count)
+/* "touch, key, usage, ...", or those that a device can be named with. */
+static void list_sources(char *text, size_t size, bool devices)
 {
-    struct names names = {.count = 0};
-    for (int i = 0; i < count; i++) {
-        names.names[names.count++] = lines[i].id ? lines[i].id : "";
-    }
-    return names;
-}
-
-static void read_usage(struct reader *reader, const struct parts *parts, struct binding *binding)
-{
-    const struct inputs *inputs = parts->inputs;
-    size_t length = reader_enter(reader, "usage");
-    const char *name = word(reader, parts->usage, "a HID usage by name (X, Dial, Button 3) or number (0x00090003)");
-    binding->source = BINDING_USAGE;
-    if (name) {
-        inputs_usage(reader, parts->usage, name, &binding->control);
-    }
-    reader_leave(reader, length);
-    if (parts->controller) {
-        struct names names = names_of_devices(inputs->controllers, inputs->controller_count);
-        binding->device = find_id(reader, "controller", "controllers", parts->controller, &names);
-    }
-}
-
-static void read_key(struct reader *reader, const struct parts *parts, struct binding *binding)
-{
-    static const char ALLOWED[] = "a to z, 0 to 9, F1 to F12, space, enter, escape, left, ...";
-    char found[128];
-    const struct inputs *inputs = parts->inputs;
-    size_t length = reader_enter(reader, "key");
-    const char *name = word(reader, parts->key, ALLOWED);
-    binding->source = BINDING_KEY;
-    binding->control = name ? key_code_of(name) : 0;
-    if (name && binding->control == 0) {
-        reader_problem(reader, parts->key, "unknown key %s; %s", yaml_found(parts->key, found, sizeof found), ALLOWED);
-    } else if (name && inputs->keyboard_count == 0) {
-        reader_problem(reader, parts->key, "no keyboard is admitted; keyboards: [{id: WORD, vendor: ID, product: ID}]");
-    }
-    reader_leave(reader, length);
-    if (parts->controller) {
-        struct names names = names_of_devices(inputs->keyboards, inputs->keyboard_count);
-        binding->device = find_id(reader, "controller", "keyboards", parts->controller, &names);
+    size_t length = (size_t)snprintf(text, size, "%s", devices ? "" : "touch");
+    for (int i = 0; device_classes[i]; i++) {
+        for (const struct binding_source *from = device_classes[i]->sources; from->key.name; from++) {
+            if (length < size && (from->devices || !devices)) {
+                length += (size_t)snprintf(text + length, size - length, "%s%s",
+                                           length == 0 ? ""
+                                           : devices   ? " or "
+                                                       : ", ",
+                                           from->key.name);
+            }
+        }
     }
 }
 
 static bool read_source(struct reader *reader, const struct yaml_node *item, const struct parts *parts,
                         struct binding *binding)
 {
-    const struct inputs *inputs = parts->inputs;
+    const struct binding_source *from = parts->from;
+    char all[256];
     binding->device = -1;
+    binding->source = from;
     if (!parts->source_name) {
-        reader_problem(reader, item, "no source is given; one of touch, usage, button, encoder, key");
+        list_sources(all, sizeof all, false);
+        reader_problem(reader, item, "no source is given; one of %s", all);
         return false;
     }
-    if (parts->usage) {
-        read_usage(reader, parts, binding);
-    } else if (parts->key) {
-        read_key(reader, parts, binding);
-    } else if (parts->button) {
-        struct names names = names_of_lines(inputs->buttons, inputs->button_count);
-        binding->source = BINDING_BUTTON;
-        binding->control = (uint32_t)find_id(reader, "button", "gpio.buttons", parts->button, &names);
-    } else if (parts->encoder) {
-        struct names names = names_of_lines(inputs->encoders, inputs->encoder_count);
-        binding->source = BINDING_ENCODER;
-        binding->control =
-            (uint32_t)(find_id(reader, "encoder", "gpio.encoders", parts->encoder, &names) + inputs->button_count);
+    if (from) {
+        from->read(reader, parts->source, parts->inputs, binding);
     }
-    if (parts->tool && binding->source != BINDING_TOUCH) {
+    if (from && parts->tool) {
         size_t length = reader_enter(reader, "tool");
         reader_problem(reader, parts->tool, "goes with touch, not with %s; fingers have tools", parts->source_name);
         reader_leave(reader, length);
     }
-    if (parts->controller && !parts->usage && !parts->key) {
+    if (parts->controller && from && from->devices) {
+        int count = 0;
+        const struct inputs_device *devices = from->devices(parts->inputs, &count);
+        struct names names = names_of_devices(devices, count);
+        binding->device = inputs_find(reader, "controller", from->list, parts->controller, &names);
+    } else if (parts->controller) {
+        list_sources(all, sizeof all, true);
         size_t length = reader_enter(reader, "controller");
-        reader_problem(reader, parts->controller, "goes with usage or key, not with %s", parts->source_name);
+        reader_problem(reader, parts->controller, "goes with %s, not with %s", all, parts->source_name);
         reader_leave(reader, length);
     }
     return true;
@@ -211,12 +183,12 @@ static bool read_source(struct reader *reader, const struct yaml_node *item, con
 static void check_switch(struct reader *reader, const struct yaml_node *item, const struct yaml_node *when,
                          const struct binding *binding)
 {
-    bool gesture = binding->source == BINDING_TOUCH && binding->touch != TOUCH_PRESS;
+    bool gesture = !binding->source && binding->touch != TOUCH_PRESS;
     if (binding->what != DO_SWITCH) {
         return;
     }
     size_t length = reader_enter(reader, "switch");
-    if (gesture || binding->source == BINDING_ENCODER) {
+    if (gesture || (binding->source && binding->source->turned)) {
         reader_problem(reader, yaml_get(item, "switch"),
                        "goes down and comes up; touch: press, a usage, a button or a key");
     } else if (when && binding->when != PRESS_DOWN) {
@@ -232,7 +204,7 @@ static void read_when(struct reader *reader, const struct yaml_node *item, struc
         [TOUCH_PRESS] = PRESS_DOWN,  [TOUCH_TAP] = PRESS_SHORT,  [TOUCH_LONG] = PRESS_HOLD,
         [TOUCH_DRAG] = BINDING_MOVE, [TOUCH_TWO] = BINDING_MOVE, [TOUCH_PINCH] = BINDING_MOVE};
     const struct yaml_node *when = yaml_get(item, "when");
-    bool touch = binding->source == BINDING_TOUCH, encoder = binding->source == BINDING_ENCODER;
+    bool touch = !binding->source, encoder = binding->source && binding->source->turned;
     bool value = binding_follows(binding);
     size_t length = reader_enter(reader, "when");
     if (when && touch && binding->touch != TOUCH_PRESS) {
@@ -306,7 +278,7 @@ static void read_what(struct reader *reader, const struct parts *parts, struct b
             reader_leave(reader, inner);
         }
     } else if (node->kind != YAML_MAPPING) {
-        inputs_wrong_kind(reader, node, "a mapping: {parameter: value, ...}, or {}");
+        value_wrong_kind(reader, node, "a mapping: {parameter: value, ...}, or {}");
     } else if (strcmp(parts->what_name, "turn") == 0) {
         inputs_read_turn(reader, node, binding);
     } else if (strcmp(parts->what_name, "dial") == 0) {
@@ -333,7 +305,7 @@ static void read_length(struct reader *reader, const struct yaml_node *node, str
     size_t length = reader_enter(reader, "length");
     binding->has_length = true;
     if (node->kind != YAML_MAPPING) {
-        inputs_wrong_kind(reader, node, "{parameter: radius, from: 4, to: 24, ms: 1500}");
+        value_wrong_kind(reader, node, "{parameter: radius, from: 4, to: 24, ms: 1500}");
         reader_leave(reader, length);
         return;
     }
@@ -368,20 +340,6 @@ static void report_no_action(struct reader *reader, const struct yaml_node *item
     reader_problem(reader, item, "no action is given; %s", names_allowed(&names, "", allowed, sizeof allowed));
 }
 
-/* dry, wet, unmask and set are for the whole sheet by nature, all else for the place where it happens. */
-static int usual_where(const struct binding *binding)
-{
-    switch (binding->action.verb) {
-    case ACTION_DRY:
-    case ACTION_WET:
-    case ACTION_UNMASK:
-    case ACTION_SET:
-        return WHERE_SHEET;
-    default:
-        return WHERE_THERE;
-    }
-}
-
 static void check_along(struct reader *reader, const struct yaml_node *item, const struct binding *binding)
 {
     bool paints = binding->what == DO_VERB && key_find(action_keys(binding->action.verb), "path");
@@ -399,16 +357,11 @@ static void read_binding(struct reader *reader, const struct yaml_node *item, in
     struct parts parts = {.inputs = inputs};
     (void)index;
     if (item->kind != YAML_MAPPING) {
-        inputs_wrong_kind(reader, item, "{source: ..., when: ..., action: {...}}; see frond explain bindings");
+        value_wrong_kind(reader, item, "{source: ..., when: ..., action: {...}}; see frond explain bindings");
         return;
     }
     fill_rows(&parts);
-    for (const struct key *key = binding_keys; key->name; key++) {
-        if (!inputs_is_section(key)) {
-            struct key one[2] = {*key, {.name = NULL}};
-            key_defaults(one, binding);
-        }
-    }
+    inputs_defaults(parts.rows, binding);
     struct value_reading reading = {read_part, &parts};
     mapping_read(reader, parts.rows, item, binding, &reading);
     bool whole = read_source(reader, item, &parts, binding);
@@ -420,7 +373,8 @@ static void read_binding(struct reader *reader, const struct yaml_node *item, in
     }
     if (whole) {
         read_when(reader, item, binding);
-        binding->where = yaml_get(item, "where") ? binding->where : usual_where(binding);
+        int usual = verbs[binding->action.verb]->whole ? WHERE_SHEET : WHERE_THERE;
+        binding->where = yaml_get(item, "where") ? binding->where : usual;
         check_along(reader, item, binding);
     }
     if (whole && parts.length) {
@@ -431,7 +385,7 @@ static void read_binding(struct reader *reader, const struct yaml_node *item, in
 
 static bool same_source(const struct binding *a, const struct binding *b)
 {
-    bool touch = a->source == BINDING_TOUCH;
+    bool touch = !a->source;
     bool device = a->device == b->device || a->device < 0 || b->device < 0;
     bool index = a->index == b->index || a->index < 0 || b->index < 0;
     return a->source == b->source && (touch || (a->control == b->control && device && index));
@@ -465,7 +419,7 @@ static void read_default_tools(struct reader *reader, struct inputs *inputs)
     const char *text = inputs_default_text();
     for (int i = 0; i < inputs->binding_count; i++) {
         const struct binding *binding = &inputs->bindings[i];
-        if (binding->source == BINDING_TOUCH && binding->tool >= 0 && binding->tool < TOOLS) {
+        if (!binding->source && binding->tool >= 0 && binding->tool < TOOLS) {
             written[binding->tool] = true;
         }
         dials[turned_scene(binding)] = true;

@@ -31,17 +31,6 @@ static void complain(struct reader *reader, const char *name, const struct yaml_
     reader_leave(reader, length);
 }
 
-/* The scenes that a key of `turn` is for; SCENE_PAINTING: a coefficient, or no key of what it sets. */
-static enum scene_kind kind_of(const struct key *turns)
-{
-    const struct key *options = action_options(turns->type);
-    int kind = SCENE_KINDS - 1;
-    while (kind > SCENE_PAINTING && (!options || scene_options_keys((enum scene_kind)kind) != options)) {
-        kind--;
-    }
-    return (enum scene_kind)kind;
-}
-
 /* One thing is set: its key of `turn`, and what is given for it; NULL, and in the report, where it is none or several.
  */
 static const struct key *find_turned(struct reader *reader, const struct yaml_node *node,
@@ -50,7 +39,7 @@ static const struct key *find_turned(struct reader *reader, const struct yaml_no
     const struct key *first = NULL;
     char text[160];
     for (const struct key *key = turn_keys; key->name; key++) {
-        const struct yaml_node *given = action_options(key->type) ? yaml_get(node, key->name) : NULL;
+        const struct yaml_node *given = action_options(key) ? yaml_get(node, key->name) : NULL;
         if (given && first) {
             snprintf(text, sizeof text, "%s %s is given too; one of the two",
                      first->type == KEY_COEFFICIENT ? "a" : "an option:", first->name);
@@ -80,7 +69,7 @@ static const struct key *turned(struct reader *reader, const struct yaml_node *n
         binding->option = -1;
         return NULL;
     }
-    binding->scene = (int)kind_of(turns);
+    binding->scene = turns->type == KEY_OPTION ? (int)turns->min : SCENE_PAINTING;
     const struct key *key = binding->scene == SCENE_PAINTING
                                 ? &coefficient_keys[binding->coefficient]
                                 : &scene_options_keys((enum scene_kind)binding->scene)[binding->option];
@@ -88,7 +77,7 @@ static const struct key *turned(struct reader *reader, const struct yaml_node *n
     binding->option = binding->scene == SCENE_PAINTING ? -1 : binding->option;
     if (binding->scene != SCENE_PAINTING && !scene_option_is_value(key)) {
         snprintf(text, sizeof text, "%s is no single value; another option of %s", key->name,
-                 binding->scene == SCENE_TREES ? "frond grow" : scene_kind_names[binding->scene]);
+                 scene_kind_names[binding->scene]);
         complain(reader, turns->name, value, text);
     } else if (binding->scene == SCENE_PAINTING && key->type == KEY_CHOICE) {
         snprintf(text, sizeof text, "%s is no number; set chooses it", key->name);

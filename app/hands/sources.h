@@ -1,5 +1,5 @@
-/* The sources of input that this machine has, as one: touch, controllers, GPIO lines. What cannot be had is said in the
- * log; the rest works. */
+/* The sources of input that this machine has, one of each class of devices (device_class.h), as one. What cannot be had
+ * is said in the log; the rest works. */
 #ifndef FROND_SOURCES_H
 #define FROND_SOURCES_H
 
@@ -44,7 +44,7 @@ int sources_devices(const struct sources *sources, struct device *devices, int m
 bool sources_log(struct sources *sources, char *line, int size);
 /* A lamp of the inputs file, 0..1; those of controllers follow those on lines. */
 void sources_light(struct sources *sources, int lamp, float level);
-/* The source of that name, "hid", for what it has beyond the common interface; NULL: it is not there. */
-struct source *sources_find(const struct sources *sources, const char *name);
+/* The sources one by one, for what they have beyond the common interface; NULL: there are no more. */
+struct source *sources_at(const struct sources *sources, int index);
 
 #endif

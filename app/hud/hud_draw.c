@@ -9,7 +9,7 @@
 #include "hud_layout.h"
 
 static const struct pen_colour SCANNED = {0, 0.3, 0.95};
-/* In scenes that have no inks: of leaves, of a flash, of a reagent. */
+/* In scenes that have no inks: of leaves, of a flash, of a reagent; others are dark. */
 static const struct pen_colour COLOURS[SCENE_KINDS] = {
     [SCENE_TREES] = {0.42, 0.6, 0.26}, [SCENE_LIGHTNING] = {0.55, 0.6, 0.98}, [SCENE_CHEMISTRY] = {0.93, 0.58, 0.28}};
 static const double SQUEEZED_LINE = 0.83; /* letters are made narrower down to this before words take a second line */
@@ -24,12 +24,12 @@ struct board {
     double mm, left, top; /* pixels; where the image begins on the sheet */
 };
 
+_Static_assert((int)ICON_UNDO == (int)ICON_DROP + (int)TOOLS, "a tool has the icon in its place");
+
 static enum hud_icon icon_of(const struct hud *hud, const struct hud_button *button)
 {
-    static const enum hud_icon KINDS[SCENE_KINDS] = {[SCENE_PAINTING] = ICON_METAPHOR,
-                                                     [SCENE_TREES] = ICON_METAPHOR,
-                                                     [SCENE_LIGHTNING] = ICON_BOLTS,
-                                                     [SCENE_CHEMISTRY] = ICON_PATTERNS};
+    static const enum hud_icon KINDS[SCENE_KINDS] = {[SCENE_LIGHTNING] = ICON_BOLTS, [SCENE_CHEMISTRY] = ICON_PATTERNS};
+    enum hud_icon kind = KINDS[hud_kind_of_scene(hud)];
     static const enum hud_icon ICONS_OF[HUD_KINDS] = {
         [HUD_UNDO] = ICON_UNDO,       [HUD_REDO] = ICON_REDO,     [HUD_FINISH] = ICON_FINISH,
         [HUD_HAND] = ICON_HAND,       [HUD_SEATED] = ICON_SEATED, [HUD_LANGUAGE] = ICON_LANGUAGE,
@@ -37,7 +37,7 @@ static enum hud_icon icon_of(const struct hud *hud, const struct hud_button *but
         [HUD_BACK] = ICON_BACK,
     };
     return button->kind == HUD_TOOL       ? (enum hud_icon)(ICON_DROP + button->value)
-           : button->kind == HUD_METAPHOR ? KINDS[hud_kind_of_scene(hud)]
+           : button->kind == HUD_METAPHOR ? (kind ? kind : ICON_METAPHOR)
                                           : ICONS_OF[button->kind];
 }
 

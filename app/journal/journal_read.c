@@ -140,10 +140,10 @@ static void read_coefficients(struct cursor *body, struct coefficients *coeffici
 /* Width, height and margin of a sheet; false: there is no such sheet. */
 static bool read_size(struct cursor *body, int *width, int *height, int *margin)
 {
-    *width = cursor_count(body, PAINTING_SIZE_MAX);
-    *height = cursor_count(body, PAINTING_SIZE_MAX);
-    *margin = cursor_count(body, PAINTING_MARGIN_MAX);
-    return !body->failed && *width >= PAINTING_SIZE_MIN && *height >= PAINTING_SIZE_MIN;
+    *width = cursor_count(body, CANVAS_SIZE_MAX);
+    *height = cursor_count(body, CANVAS_SIZE_MAX);
+    *margin = cursor_count(body, CANVAS_MARGIN_MAX);
+    return !body->failed && *width >= CANVAS_SIZE_MIN && *height >= CANVAS_SIZE_MIN;
 }
 
 static bool read_history(struct cursor *body, struct history_def *history)
@@ -269,7 +269,7 @@ static bool read_parameter(struct journal_reader *reader, struct cursor *body, c
         cursor_text(body, name);
         if (!journal_value_of(key, name, &value)) {
             reader->skipped++;
-            *known = *known && !action_options(key->type);
+            *known = *known && !action_options(key);
         }
         store(action, key, &value, sizeof value);
         return true;

@@ -21,9 +21,7 @@ enum journal_type journal_type_of(enum key_type type)
         return JOURNAL_POINT;
     case KEY_CHOICE:
     case KEY_BRUSH:
-    case KEY_GROWTH:
-    case KEY_STORM:
-    case KEY_DISH:
+    case KEY_OPTION:
     case KEY_COEFFICIENT:
         return JOURNAL_NAME;
     case KEY_INK:
@@ -43,7 +41,7 @@ const char *journal_name_of(const struct key *key, int value)
     if (value < 0) {
         return "";
     }
-    const struct key *options = action_options(key->type);
+    const struct key *options = action_options(key);
     return options ? options[value].name : key->type == KEY_BRUSH ? brushes[value].name : key->choices[value];
 }
 
@@ -54,7 +52,7 @@ bool journal_value_of(const struct key *key, const char *name, int *value)
         *value = brush_find(name);
         return *value != BRUSH_NONE || !name[0];
     }
-    const struct key *options = action_options(key->type);
+    const struct key *options = action_options(key);
     if (options) {
         const struct key *named = key_find(options, name);
         *value = named ? (int)(named - options) : 0;

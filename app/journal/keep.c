@@ -169,9 +169,7 @@ static void record(struct keep *keep, const struct studio_event *event)
     if (event->kind != STUDIO_ACTION) {
         keep->wanted = event->def;
     }
-    bool back =
-        event->kind == STUDIO_ACTION && (event->action->verb == ACTION_UNDO || event->action->verb == ACTION_REDO ||
-                                         event->action->verb == ACTION_REWIND);
+    bool back = event->kind == STUDIO_ACTION && action_goes_back(event->action->verb);
     keep->urgent = keep->urgent || back || event->kind == STUDIO_SCENE || event->kind == STUDIO_GRID;
     keep->still = false;
     keep->events++;

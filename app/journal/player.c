@@ -37,11 +37,6 @@ static void read_next(struct player *player)
     }
 }
 
-static bool goes_back(enum action_verb verb)
-{
-    return verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
-}
-
 /* The first pass: how long it is, and what there is in it. */
 static bool measure(struct player *player, const void *data, size_t size, struct file_error *error)
 {
@@ -54,7 +49,7 @@ static bool measure(struct player *player, const void *data, size_t size, struct
     bool sheet = journal_next(&reader, &record) && record.kind == JOURNAL_SHEET;
     while (journal_next(&reader, &record)) {
         bool action = record.kind == JOURNAL_ACTION;
-        player->goes_back = player->goes_back || (action && goes_back(record.action.verb));
+        player->goes_back = player->goes_back || (action && action_goes_back(record.action.verb));
         player->grows =
             player->grows || (action && player->maker.grows && scene_kind_of(record.action.verb) != SCENE_PAINTING);
     }
@@ -163,7 +158,7 @@ static bool act(struct player *player, const struct action *action)
 {
     if (player->history) {
         history_act(player->history, player->engine, action);
-    } else if (!goes_back(action->verb)) {
+    } else if (!action_goes_back(action->verb)) {
         player->engine->ops->act(player->engine, action);
     }
     if (player->plot) {
@@ -243,7 +238,7 @@ bool player_tick(struct player *player, struct file_error *error)
 {
     error->text[0] = '\0';
     while (player->has_next && player->next.ticked <= player->ticked) {
-        if (player->resumed && player->next.kind == JOURNAL_ACTION && goes_back(player->next.action.verb)) {
+        if (player->resumed && player->next.kind == JOURNAL_ACTION && action_goes_back(player->next.action.verb)) {
             return false;
         }
         if (!take(player, &player->next, error)) {

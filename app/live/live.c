@@ -169,7 +169,7 @@ static void release(struct live *live, bool on)
  * has it. */
 static bool recover(struct live *live)
 {
-    struct display_error display_error;
+    struct device_error device_error;
     struct studio_error error;
     double start = bench_wall_s();
     live->service.status.gpu_resets++;
@@ -181,7 +181,7 @@ static bool recover(struct live *live)
     release(live, true);
     studio_suspend(live->studio);
     release(live, false);
-    while (!display_renew(live->display, &display_error)) {
+    while (!display_renew(live->display, &device_error)) {
         if (live_over(live)) {
             return false;
         }

@@ -18,7 +18,8 @@ static const char *beside(const struct exhibit *exhibit, const char *name, char 
 static void open_broker(struct live_group *group, const struct exhibit *exhibit)
 {
     const struct exhibit_mqtt *mqtt = &exhibit->mqtt;
-    char ca[PATH], certificate[PATH], key[PATH], credentials[PATH], error[200];
+    char ca[PATH], certificate[PATH], key[PATH], credentials[PATH];
+    struct device_error error;
     char alive[BROKER_TOPIC], topics[BROKER_TOPICS][BROKER_TOPIC];
     struct broker_def def = {.host = mqtt->host,
                              .port = mqtt->port,
@@ -32,10 +33,10 @@ static void open_broker(struct live_group *group, const struct exhibit *exhibit)
     for (int i = 0; i < count; i++) {
         def.topics[i] = topics[i];
     }
-    group->broker = broker_create(&def, error, sizeof error);
+    group->broker = broker_create(&def, &error);
     group->said_us = 0;
     if (!group->broker) {
-        snprintf(group->line, sizeof group->line, "broker %.100s: %s", mqtt->host, error);
+        snprintf(group->line, sizeof group->line, "broker %.100s: %.200s", mqtt->host, error.text);
         group->has_line = true;
     }
 }

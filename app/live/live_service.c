@@ -6,8 +6,6 @@
 #include <time.h>
 
 static const char *const DISPLAYS[] = {"shown", "dark", "absent", "lent"};                    /* enum display_state */
-static const char *const CLASSES[] = {"touch", "pointer", "keyboard", "controller", "lines"}; /* enum device_class */
-
 bool live_service_open(struct live_service *service, uint64_t now_us)
 {
     const char *folder = getenv("RUNTIME_DIRECTORY");
@@ -34,7 +32,7 @@ static void fill_devices(struct status *status, const struct live_input *input)
     status->device_count = count < STATUS_DEVICES ? count : STATUS_DEVICES;
     for (int i = 0; i < status->device_count; i++) {
         struct status_device *device = &status->devices[i];
-        device->class = CLASSES[devices[i].class];
+        device->class = devices[i].class;
         device->admitted = devices[i].admitted;
         device->works = devices[i].admitted && !devices[i].trouble[0];
         status_word(device->name, devices[i].name);

@@ -4,18 +4,14 @@
 #define FROND_LIVE_BOLTS_H
 
 #include "bolt_light_gpu.h"
-#include "live_drawer.h"
-#include "live_fade.h"
+#include "live_layer.h"
 
 struct live_bolts {
-    struct live_drawer drawer;
+    struct live_layer layer;
     struct bolt_light_gpu *now, *before; /* NULL: not made yet; nothing fades */
-    const struct live_view *newest;
-    bool shown;            /* the newest is what is shown */
-    double tick;           /* as of which it was drawn last */
-    struct bolt_view left; /* of `before`, as it was drawn last */
+    double tick;                         /* as of which it was drawn last */
+    struct bolt_view left;               /* of `before`, as it was drawn last */
     double left_tick;
-    struct live_fade fade;
 };
 
 void live_bolts_init(struct live_bolts *bolts, struct live_scene *scene, const struct shader_folder *folder);

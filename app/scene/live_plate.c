@@ -42,7 +42,7 @@ static void show_none(struct live_plate *plate, double seconds, bool ground)
 
 static void part(struct live_drawer *drawer, const struct live_scene_sheet *sheet)
 {
-    show_none((struct live_plate *)drawer, LIVE_SHEET_S, sheet->kind == SCENE_TREES);
+    show_none((struct live_plate *)drawer, LIVE_SHEET_S, live_drawer_is_for(drawer, sheet));
 }
 
 /* A new context has nothing of it: the plate that was shown comes at once. */
@@ -103,7 +103,7 @@ static void go_on(struct live_plate *plate, const struct live_scene_sheet *sheet
 {
     double frame_s = fmin(now_s - plate->last_s, LIVE_CHANGE_S);
     double passed = frame_s / plate->fade_s;
-    bool own = sheet->kind == SCENE_TREES;
+    bool own = live_drawer_is_for(&plate->drawer, sheet);
     plate->before = fmax(plate->before - passed * (live_scene_has_newer(plate->drawer.scene) ? HURRY : 1), 0);
     plate->last_s = now_s;
     if (own && !(plate->before > 0) && !plate->bringing) {
@@ -121,7 +121,7 @@ static bool draw(struct live_drawer *drawer, const struct live_scene_sheet *shee
     struct live_plate *plate = (struct live_plate *)drawer;
     struct display_size panel = display_panel(display), size = display_sheet(display);
     float turn[4];
-    if (sheet->kind != SCENE_TREES && !(plate->before > 0)) {
+    if (!live_drawer_is_for(drawer, sheet) && !(plate->before > 0)) {
         finish(drawer);
         return true;
     }
@@ -156,6 +156,6 @@ static void reveal(const struct live_drawer *drawer, const struct live_scene_she
 
 void live_plate_init(struct live_plate *plate, struct live_scene *scene, const struct shader_folder *folder)
 {
-    static const struct live_drawer_type TYPE = {SCENE_TREES, finish, part, draw, moves, reveal};
+    static const struct live_drawer_type TYPE = {SHOW_PLATE, finish, part, draw, moves, reveal};
     *plate = (struct live_plate){.drawer = {&TYPE, scene, folder}, .fade_s = LIVE_CHANGE_S};
 }

@@ -1,4 +1,4 @@
-/* A scene (scene.h) beside the studio: a thread of its own in which trees, lightning or chemistry grow, while the
+/* A scene (scene.h) beside the studio: a thread of its own in which it grows, while the
  * display shows the newest view of it. It hears of all that happens to the painting as the journal does, action by
  * action at its tick, and of the ticks, in the order of app/session/plot.h, so that a journal repeats it. Where a
  * script has no such scene, and where nothing is done, it costs nothing.
@@ -75,6 +75,10 @@ struct live_view {
     int64_t last_tick; /* when the last of the plate is there */
     struct bolt_view bolts;
     int since; /* segments before it are as in the view that was taken before, if that was of the same sheet */
+    struct live_picture_view {
+        const uint8_t *rgba; /* sRGB, multiplied by alpha */
+        int width, height;   /* cells of the sheet */
+    } picture;
     struct dish_view dish;
     uint64_t look; /* another number: dish.shade is another */
 };
@@ -95,6 +99,7 @@ bool live_scene_handed(struct live_scene *live, int *number, struct outcome *out
 
 struct live_scene_sheet {
     enum scene_kind kind;        /* SCENE_PAINTING: there is no scene */
+    enum scene_show shows;       /* of a kind that there is */
     int number;                  /* counts fresh sheets and scenes: views of others are not to be shown */
     double tick;                 /* now, with a fraction, as actions are counted */
     double done;                 /* the same of what lightning and chemistry have done; not after `tick` */

@@ -8,9 +8,11 @@ void live_scene_draw_init(struct live_scene_draw *draw, struct live_scene *scene
     live_dish_init(&draw->dish, scene, folder);
     live_bolts_init(&draw->bolts, scene, folder);
     live_plate_init(&draw->plate, scene, folder);
-    draw->drawers[0] = &draw->dish.drawer;
-    draw->drawers[1] = &draw->bolts.drawer;
-    draw->drawers[2] = &draw->plate.drawer;
+    live_image_init(&draw->image, scene, folder);
+    draw->drawers[0] = &draw->image.layer.drawer;
+    draw->drawers[1] = &draw->dish.layer.drawer;
+    draw->drawers[2] = &draw->bolts.layer.drawer;
+    draw->drawers[3] = &draw->plate.drawer;
 }
 
 void live_scene_draw_finish(struct live_scene_draw *draw)
@@ -58,7 +60,7 @@ void live_scene_draw_reveal(const struct live_scene_draw *draw, uint8_t *rgb, in
     }
     struct live_scene_sheet sheet = live_scene_sheet(draw->scene, bench_wall_s());
     for (int i = 0; i < LIVE_DRAWERS && sheet.number == draw->sheet; i++) {
-        if (draw->drawers[i]->type->kind == sheet.kind) {
+        if (live_drawer_is_for(draw->drawers[i], &sheet)) {
             draw->drawers[i]->type->reveal(draw->drawers[i], &sheet, rgb, width, height);
         }
     }

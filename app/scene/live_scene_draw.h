@@ -1,19 +1,21 @@
-/* A scene beside the studio on the display, whatever its kind: the drawers (live_drawer.h), one for each, of which
+/* A scene beside the studio on the display, whatever its kind: the drawers (live_drawer.h), of which
  * one shows the scene as it is now and others what they let go. */
 #ifndef FROND_LIVE_SCENE_DRAW_H
 #define FROND_LIVE_SCENE_DRAW_H
 
 #include "live_bolts.h"
 #include "live_dish.h"
+#include "live_image.h"
 #include "live_plate.h"
 
-enum { LIVE_DRAWERS = 3 };
+enum { LIVE_DRAWERS = 4 };
 
 struct live_scene_draw {
     struct live_scene *scene; /* NULL: none, and all of this does nothing */
     struct live_dish dish;
     struct live_bolts bolts;
     struct live_plate plate;
+    struct live_image image;
     struct live_drawer *drawers[LIVE_DRAWERS]; /* those, what lies below first */
     int sheet;                                 /* that is shown */
 };

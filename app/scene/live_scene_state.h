@@ -58,6 +58,8 @@ struct live_store {
     float *pattern;
     size_t pattern_room; /* floats */
     struct gradient_stop *stops;
+    uint8_t *rgba;
+    size_t rgba_room; /* bytes */
 };
 
 struct live_scene {

@@ -41,6 +41,7 @@ static void begin_scene(struct live_scene *live, enum scene_kind kind, const cha
 {
     enum scene_kind before = live->sheet.kind;
     live->sheet.kind = kind;
+    live->sheet.shows = live->types[kind] ? live->types[kind]->shows : SHOW_PICTURE;
     snprintf(live->id, sizeof live->id, "%s", id);
     live->cells = width;
     live->sheet.number += before != SCENE_PAINTING || kind != SCENE_PAINTING;
@@ -79,16 +80,16 @@ static void change(struct live_scene *live, const struct studio_event *event)
 /* Under a front it is as far as the front is past, under a disc what the disc has taken. */
 static void rinse(struct live_scene *live, const struct action *action)
 {
-    const struct painting_def sheet = {.width = LIVE_WATER_WIDTH, .height = LIVE_WATER_HEIGHT};
+    const struct canvas canvas = {.width = LIVE_WATER_WIDTH, .height = LIVE_WATER_HEIGHT};
     struct action legal = action_legal(action);
     struct rinse water;
     float turn;
     legal.radius *= (float)LIVE_WATER_WIDTH / (float)live->cells;
-    rinse_begin(&water, &sheet, &legal);
+    rinse_begin(&water, &canvas, &legal);
     for (int y = water.cells.y0; y < water.cells.y1; y++) {
         for (int x = water.cells.x0; x < water.cells.x1; x++) {
             float *place = &live->water[y * LIVE_WATER_WIDTH + x], phase = rinse_phase(&water, x, y, &turn);
-            float disc = 1 - (1 - *place) * (1 - rinse_shares(phase, legal.strength).thins);
+            float disc = 1 - (1 - *place) * (1 - rinse_takes(phase, legal.strength));
             *place = water.disc ? disc : fmaxf(*place, phase);
         }
     }
@@ -99,8 +100,7 @@ static void rinse(struct live_scene *live, const struct action *action)
 /* Scenes hear of everything; a garden leaves most alone. */
 static bool is_wanted(enum scene_kind kind, enum action_verb verb)
 {
-    bool both = verb == ACTION_CLEAR || verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_RINSE;
-    return kind != SCENE_PAINTING && (kind != SCENE_TREES || garden_takes(verb) || both);
+    return kind != SCENE_PAINTING && (kind != SCENE_TREES || scene_takes(kind, verb));
 }
 
 static void act(struct live_scene *live, int64_t tick, const struct action *action)

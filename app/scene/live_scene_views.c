@@ -8,6 +8,7 @@ void live_store_finish(struct live_store *store)
     free(store->segments);
     free(store->pattern);
     free(store->stops);
+    free(store->rgba);
     *store = (struct live_store){.segments = NULL};
 }
 
@@ -58,7 +59,6 @@ static void look_at_storm(struct live_scene *live, struct live_view *view, struc
         live->stores[i].stale = since < live->stores[i].stale ? since : live->stores[i].stale;
     }
     view->any = copy_segments(store, &view->bolts);
-    view->calm = storm_is_calm(storm, live->last_tick);
     view->since = since;
     view->bolts.segments = store->segments;
 }
@@ -96,13 +96,44 @@ static void look_at_dish(struct live_scene *live, struct live_view *view, struct
     live->looks += !same_look(&live->look, &view->dish.shade);
     live->look = view->dish.shade;
     view->look = live->looks;
-    view->calm = dish_is_calm(live->scene);
     view->any = pattern->v && make_room(&store->pattern, &store->pattern_room, cells) &&
                 copy_gradient(store, &view->dish.shade.gradient);
     if (view->any) {
         memcpy(store->pattern, pattern->v, cells * sizeof *store->pattern);
         pattern->v = store->pattern;
     }
+}
+
+static bool lay_over(struct live_scene *live, int level, uint8_t *rgb, size_t bytes)
+{
+    memset(rgb, level, bytes);
+    return live->types[live->kind]->lay(live->scene, live->last_tick, live->scene_width, live->scene_height, rgb);
+}
+
+/* What it lays over black, and how much of white is left by it. */
+static void look_at_picture(struct live_scene *live, struct live_view *view, struct live_store *store)
+{
+    size_t cells = (size_t)live->scene_width * (size_t)live->scene_height;
+    if (store->rgba_room < 10 * cells) { /* four bytes a cell, and room for both pictures */
+        uint8_t *room = realloc(store->rgba, 10 * cells);
+        store->rgba = room ? room : store->rgba;
+        store->rgba_room = room ? 10 * cells : store->rgba_room;
+    }
+    if (cells == 0 || store->rgba_room < 10 * cells) {
+        return;
+    }
+    uint8_t *rgba = store->rgba, *black = rgba + 4 * cells, *white = rgba + 7 * cells;
+    view->any = lay_over(live, 0, black, 3 * cells) && lay_over(live, 255, white, 3 * cells);
+    for (size_t i = 0; i < cells && view->any; i++) {
+        int left = 0;
+        for (size_t j = 0; j < 3; j++) {
+            int through = white[3 * i + j] - black[3 * i + j];
+            rgba[4 * i + j] = black[3 * i + j];
+            left = through > left ? through : left;
+        }
+        rgba[4 * i + 3] = (uint8_t)(255 - left);
+    }
+    view->picture = (struct live_picture_view){rgba, live->scene_width, live->scene_height};
 }
 
 void live_scene_look(struct live_scene *live)
@@ -115,11 +146,21 @@ void live_scene_look(struct live_scene *live)
     view->calm = true;
     view->since = INT32_MAX;
     plate_finish(&view->plate);
-    if (live->scene && live->kind == SCENE_LIGHTNING) {
-        look_at_storm(live, view, store);
-    } else if (live->scene && live->kind == SCENE_CHEMISTRY) {
-        look_at_dish(live, view, store);
-    } else {
+    if (!live->scene) {
         live_store_finish(store);
+        return;
     }
+    const struct scene_type *type = live->types[live->kind];
+    switch (type->shows) {
+    case SHOW_BOLTS:
+        look_at_storm(live, view, store);
+        break;
+    case SHOW_PATTERN:
+        look_at_dish(live, view, store);
+        break;
+    default:
+        look_at_picture(live, view, store);
+        break;
+    }
+    view->calm = type->is_calm && type->is_calm(live->scene, live->last_tick);
 }

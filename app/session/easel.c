@@ -56,7 +56,7 @@ bool easel_make_folder(const char *path, struct file_error *error)
 static bool open_display(struct easel *easel, struct file_error *error)
 {
     struct display_def def = display_default_def();
-    struct display_error reason;
+    struct device_error reason;
     def.kind = DISPLAY_HEADLESS;
     def.width = def.height = 16; /* nothing is shown */
     easel->display = easel->display ? easel->display : display_create(&def, &reason);

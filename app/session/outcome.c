@@ -1,19 +1,19 @@
 #include "outcome.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "along.h"
 #include "exponential.h"
+#include "rounded.h"
 #include "running.h"
 
 static const float SOON = 2.0f; /* how soon ink is dark: a thickness of 1 covers 86 of 100 */
 
-static float rounded(float value)
+static float bounded(float value)
 {
     float inside = value >= 0 ? value <= 1 ? value : 1 : 0;
-    return nearbyintf(inside * 65536) / 65536;
+    return rounded(inside);
 }
 
 static bool open_fields(struct outcome *outcome, int width, int height)
@@ -48,8 +48,8 @@ static bool of_painting(struct outcome *outcome, const float *thickness, const f
         return false;
     }
     for (size_t i = 0; i < cells; i++) {
-        outcome->fields[FIELD_DARK][i] = rounded(exponential(-SOON * thickness[i]));
-        outcome->fields[FIELD_AROUND][i] = rounded(1 - solvent[i]);
+        outcome->fields[FIELD_DARK][i] = bounded(exponential(-SOON * thickness[i]));
+        outcome->fields[FIELD_AROUND][i] = bounded(1 - solvent[i]);
     }
     bool good = along_of_pattern(outcome->fields[FIELD_DARK], width, height, outcome->fields[FIELD_ALONG]);
     if (!good) {

@@ -48,7 +48,7 @@ void plot_channel_name(const struct plot *plot, int channel, char name[PLOT_CHAN
                        : own == 0      ? scene_field_names[FIELD_DARK]
                        : own == AROUND ? scene_field_names[FIELD_AROUND]
                                        : scene_field_names[FIELD_ALONG];
-    snprintf(name, PLOT_CHANNEL_NAME, "%s.%s%s", scene_types[kind]->name, what, part);
+    snprintf(name, PLOT_CHANNEL_NAME, "%s.%s%s", scene_kind_names[kind], what, part);
 }
 
 bool plot_channel(struct plot *plot, int channel, int width, int height, float *values)

@@ -7,8 +7,7 @@ static bool goes_back(const struct script *script)
 {
     bool back = false;
     for (int i = 0; i < script->action_count; i++) {
-        enum action_verb verb = script->actions[i].verb;
-        back = back || verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
+        back = back || action_goes_back(script->actions[i].verb);
     }
     return back;
 }

@@ -36,9 +36,9 @@ const struct key script_keys[] = {
 };
 
 const struct key canvas_keys[] = {
-    WHOLE("width", width, "cells", PAINTING_SIZE_MIN, PAINTING_SIZE_MAX, 720, false, "Width of the sheet."),
-    WHOLE("height", height, "cells", PAINTING_SIZE_MIN, PAINTING_SIZE_MAX, 720, false, "Height of the sheet."),
-    WHOLE("margin", margin, "cells", 0, PAINTING_MARGIN_MAX, 0, false,
+    WHOLE("width", width, "cells", CANVAS_SIZE_MIN, CANVAS_SIZE_MAX, 720, false, "Width of the sheet."),
+    WHOLE("height", height, "cells", CANVAS_SIZE_MIN, CANVAS_SIZE_MAX, 720, false, "Height of the sheet."),
+    WHOLE("margin", margin, "cells", 0, CANVAS_MARGIN_MAX, 0, false,
           "Cells simulated beyond each side, so that growth does not turn square there."),
     {.name = NULL},
 };

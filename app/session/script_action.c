@@ -9,6 +9,7 @@
 #include "script_session.h"
 #include "script_structure.h"
 #include "script_text.h"
+#include "verb.h"
 
 /* What one verb's parameters need to know of each other. */
 struct parameters {
@@ -237,7 +238,6 @@ static void missing(struct reader *reader, const struct yaml_node *node, const c
     reader_leave(reader, length);
 }
 
-/* One raster at most; whether there is any. */
 /* At most one of them; whether there is any. */
 static bool check_rasters(struct reader *reader, const struct yaml_node *node, const struct parameters *parameters)
 {
@@ -262,28 +262,40 @@ static bool check_rasters(struct reader *reader, const struct yaml_node *node, c
     return count > 0;
 }
 
+/* "at, a path, a formula or a picture": those that the verb has. */
+static void missing_place(struct reader *reader, const struct yaml_node *node, enum action_verb verb)
+{
+    static const char *const PLACES[][2] = {
+        {"at", "at"}, {"path", "a path"}, {"formula", "a formula"}, {"picture", "a picture"}};
+    const char *have[4] = {NULL};
+    char text[80] = "";
+    int count = 0;
+    for (int i = 0; i < 4; i++) {
+        have[count] = PLACES[i][1];
+        count += key_find(action_keys(verb), PLACES[i][0]) != NULL;
+    }
+    if (count == 1) {
+        reader_problem(reader, node, "no picture is given; the path of one in this file's folder");
+        return;
+    }
+    for (int i = 0; i < count; i++) {
+        size_t length = strlen(text);
+        snprintf(text + length, sizeof text - length, "%s%s", i == 0 ? "" : i + 1 < count ? ", " : " or ", have[i]);
+    }
+    reader_problem(reader, node, "no place is given; %s", text);
+}
+
 /* What no single row of a table can ask for. */
 static void check_together(struct reader *reader, const struct yaml_node *node, enum action_verb verb,
                            const struct parameters *parameters)
 {
     bool at = yaml_get(node, "at"), path = yaml_get(node, "path");
     bool raster = check_rasters(reader, node, parameters);
-    bool laid = verb == ACTION_BRUSH_SOLVENT || verb == ACTION_BRUSH_INK || verb == ACTION_DRAW;
-    if ((verb == ACTION_GUIDE || laid) && !path && !raster && !parameters->bound) {
-        reader_problem(reader, node, "no place is given; a path, a formula or a picture");
+    if (verbs[verb]->needs_place && !at && !path && !raster && !parameters->bound) {
+        missing_place(reader, node, verb);
     }
-    if ((verb == ACTION_MASK || verb == ACTION_DOSE || verb == ACTION_STRIKE) && !at && !path && !raster &&
-        !parameters->bound) {
-        reader_problem(reader, node, "no place is given; at, a path, a formula or a picture");
-    }
-    if (verb == ACTION_RINSE && !at && !path && !parameters->bound) {
-        reader_problem(reader, node, "no place is given; at or a path");
-    }
-    if (verb == ACTION_RINSE && at && path) {
+    if (verbs[verb]->one_place && at && path) {
         reader_problem(reader, node, "both at and a path; one of them");
-    }
-    if (verb == ACTION_STOCK && !raster && !parameters->bound) {
-        reader_problem(reader, node, "no picture is given; the path of one in this file's folder");
     }
     if (parameters->setting) {
         if (!yaml_get(node, "value")) {
@@ -343,7 +355,7 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     }
     struct parameters parameters = {.bound = bound};
     for (const struct key *key = keys; key->name; key++) {
-        const struct key *options = action_options(key->type);
+        const struct key *options = action_options(key);
         const struct yaml_node *setting = options ? yaml_get(node, key->name) : NULL;
         if (setting && setting->kind == YAML_SCALAR) {
             parameters.setting = key_find(options, setting->text);

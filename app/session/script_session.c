@@ -1,11 +1,11 @@
 #include "script_session.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "outcome.h"
 #include "raster.h"
+#include "rounded.h"
 #include "script_action.h"
 #include "script_include.h"
 
@@ -147,7 +147,7 @@ static void scale(float *values, size_t count, bool vectors, const struct script
     for (size_t i = 0; i < count; i++) {
         float value = vectors ? session->invert ? -values[i] : values[i] : session->invert ? 1 - values[i] : values[i];
         value = vectors ? value * session->strength : 1 - session->strength * (1 - value);
-        values[i] = nearbyintf(value * 65536) / 65536;
+        values[i] = rounded(value);
     }
 }
 

@@ -30,7 +30,7 @@ struct picture_def script_picture(const struct script *script, int width, int he
 
 static int within(double cells)
 {
-    return cells < PAINTING_SIZE_MIN ? PAINTING_SIZE_MIN : cells > PAINTING_SIZE_MAX ? PAINTING_SIZE_MAX : (int)cells;
+    return cells < CANVAS_SIZE_MIN ? CANVAS_SIZE_MIN : cells > CANVAS_SIZE_MAX ? CANVAS_SIZE_MAX : (int)cells;
 }
 
 void script_fit(struct script *script, int width, int height)

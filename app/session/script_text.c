@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "pen.h"
+#include "rounded.h"
 #include "script_action.h"
 
 enum { LINE = 8 }; /* cells: thick letters starve within, lines live */
@@ -91,7 +92,7 @@ bool script_text_draw(const struct script_text *text, int width, int height, flo
     write_words(&pen, &words, (double)text->line, middle ? 0.5 * width : x, middle ? 0.5 * height : y);
     pen_close(&pen, rgba);
     for (size_t i = 0; i < (size_t)width * (size_t)height; i++) {
-        values[i] = 1 - nearbyintf((float)rgba[4 * i + 3] / 255 * 65536) / 65536;
+        values[i] = 1 - rounded((float)rgba[4 * i + 3] / 255);
     }
     free(rgba);
     return true;

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "growth.h"
 #include "ink.h"
+#include "scene.h"
 
 enum { PATH_POINTS_MAX = 10000 };
 
@@ -118,14 +118,8 @@ const char *value_allowed(const struct key *key, char *buffer, size_t size)
     case KEY_COEFFICIENT:
         snprintf(buffer, size, "the name of a coefficient");
         break;
-    case KEY_GROWTH:
-        snprintf(buffer, size, "the name of an option of frond grow");
-        break;
-    case KEY_STORM:
-        snprintf(buffer, size, "the name of an option of lightning");
-        break;
-    case KEY_DISH:
-        snprintf(buffer, size, "the name of an option of chemistry");
+    case KEY_OPTION:
+        snprintf(buffer, size, "the name of an option of %s", scene_kind_names[(int)key->min]);
         break;
     case KEY_TEXT:
         snprintf(buffer, size, "%s, %.10g to %.10g bytes", *unit ? unit : "text", key->min, key->max);
@@ -493,10 +487,8 @@ bool value_read(struct reader *reader, const struct key *key, const struct yaml_
         names = names_of_brushes();
         good = value_choice(reader, &names, "brush", node, &choice);
         break;
-    case KEY_GROWTH:
-    case KEY_STORM:
-    case KEY_DISH:
-        names = names_of_keys(action_options(key->type));
+    case KEY_OPTION:
+        names = names_of_keys(action_options(key));
         good = value_choice(reader, &names, "option", node, &choice);
         break;
     case KEY_COEFFICIENT:

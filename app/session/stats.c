@@ -152,7 +152,7 @@ static struct json_object *scenes_object(struct plot *plot)
                 add_number(own, figures[i].name, figures[i].number);
             }
         }
-        json_object_object_add(object, type->name, own);
+        json_object_object_add(object, scene_kind_names[kind], own);
     }
     return object;
 }

@@ -27,7 +27,7 @@ void status_frame(struct status_frames *frames, double seconds);
 
 struct status_device {
     char name[STATUS_WORD]; /* as it calls itself */
-    const char *class;      /* "touch", "pointer", ... ; not owned, lives for ever */
+    const char *class;      /* as of struct device; lives for ever */
     bool admitted, works;
 };
 

@@ -17,8 +17,8 @@ static int scaled(int cells, float scale, int least)
 static struct painting_def painting_at(const struct studio *studio, float scale)
 {
     struct painting_def def = script_painting(studio->script);
-    def.width = scaled(def.width, scale, PAINTING_SIZE_MIN);
-    def.height = scaled(def.height, scale, PAINTING_SIZE_MIN);
+    def.width = scaled(def.width, scale, CANVAS_SIZE_MIN);
+    def.height = scaled(def.height, scale, CANVAS_SIZE_MIN);
     def.margin = scaled(def.margin, scale, 0);
     def.seed += (uint32_t)(studio->report.sessions > 0 ? studio->report.sessions - 1 : 0);
     def.threads = studio->def.threads;

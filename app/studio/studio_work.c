@@ -14,12 +14,6 @@ enum { EFFORT_TICKS = 64 };
 
 static const int64_t REST_TICKS = 20 * STUDIO_TICKS_PER_SECOND; /* a finished painting is looked at for so long */
 
-/* What goes back in time is not in a checkpoint that began before: a newer one is due. */
-static bool goes_back(enum action_verb verb)
-{
-    return verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_REWIND;
-}
-
 /* The action, with the path that was copied. */
 static struct action action_of(const struct studio_action *posted)
 {
@@ -39,7 +33,8 @@ static void act(struct studio *studio, const struct studio_action *posted)
     } else {
         studio->engine->ops->act(studio->engine, &action);
     }
-    studio->checkpoint_s = goes_back(action.verb) ? 0 : studio->checkpoint_s;
+    /* What goes back in time is not in a checkpoint that began before: a newer one is due. */
+    studio->checkpoint_s = action_goes_back(action.verb) ? 0 : studio->checkpoint_s;
 }
 
 /* Does an action, and keeps it until a checkpoint holds it. */

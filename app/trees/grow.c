@@ -6,42 +6,20 @@
 
 #include "fit.h"
 #include "ink.h"
+#include "key_fields.h"
 
 enum { DETAIL = 512, DETAIL_TREE = 640, SIZE_OVER = 3, SIZE_MOST = 8192 };
 
-#define OF(field) .offset = offsetof(struct grow_def, field)
+#define KEY_AT(field) offsetof(struct grow_def, field)
 
 const struct key grow_keys[] = {
-    {.name = "detail",
-     .type = KEY_INTEGER,
-     .unit = "nodes",
-     .min = 0,
-     .max = IMPORTANCE_SIZE_MAX,
-     OF(detail),
-     .meaning = "Nodes of the lattice along the longer side; 0: 512, of trees 640."},
-    {.name = "size",
-     .type = KEY_INTEGER,
-     .unit = "pixels",
-     .min = 0,
-     .max = SIZE_MOST,
-     OF(size),
-     .meaning = "Longer side of what is written; 0: three times the nodes, or as the background is."},
-    {.name = "height",
-     .type = KEY_NUMBER,
-     .unit = "of the background",
-     .min = 0.05,
-     .max = 2,
-     .initial = 0.72,
-     OF(height),
-     .meaning = "How high it stands in the background."},
-    {.name = "at",
-     .type = KEY_POINT,
-     .unit = "",
-     .min = 0,
-     .max = 1,
-     OF(at),
-     .meaning = "Where in the background the middle of its foot is, x,y in 0..1."},
-    {.name = NULL},
+    WHOLE(detail, "nodes", 0, IMPORTANCE_SIZE_MAX, 0,
+          "Nodes of the lattice along the longer side; 0: 512, of trees 640."),
+    WHOLE(size, "pixels", 0, SIZE_MOST, 0,
+          "Longer side of what is written; 0: three times the nodes, or as the background is."),
+    NUMBER(height, "of the background", 0.05, 2, 0.72, "How high it stands in the background."),
+    POINT(at, "Where in the background the middle of its foot is, x,y in 0..1."),
+    END,
 };
 
 struct grow_def grow_default_def(void)
@@ -80,27 +58,32 @@ static bool read_background(struct grown *grown, struct file_error *error)
     return good;
 }
 
+struct growth *grow_over(const struct image *image, int side, const struct growth_def *def)
+{
+    int width, height;
+    fit_size(image, side, &width, &height);
+    width = width < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : width;
+    height = height < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : height;
+    struct growth *growth = NULL;
+    float *linear = fit_linear(image, width, height);
+    float *grey = malloc((size_t)width * (size_t)height * sizeof *grey);
+    if (linear && grey) {
+        importance_grey(linear, width, height, 4, 3, grey);
+        growth = growth_create(grey, width, height, def);
+    }
+    free(linear);
+    free(grey);
+    return growth;
+}
+
 static bool read_picture(struct grown *grown, struct file_error *error)
 {
     const struct grow_def *def = grown->def;
     struct image image;
     bool good = fit_read(def->picture, &image, error);
     if (good) {
-        int width, height,
-            side = def->detail >= GROWTH_SIZE_LEAST ? def->detail
-                   : def->growth.tree               ? DETAIL_TREE
-                                                    : DETAIL;
-        fit_size(&image, side, &width, &height);
-        width = width < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : width;
-        height = height < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : height;
-        float *linear = fit_linear(&image, width, height);
-        float *grey = malloc((size_t)width * (size_t)height * sizeof *grey);
-        if (linear && grey) {
-            importance_grey(linear, width, height, 4, 3, grey);
-            grown->growth = growth_create(grey, width, height, &def->growth);
-        }
-        free(linear);
-        free(grey);
+        int side = def->detail >= GROWTH_SIZE_LEAST ? def->detail : def->growth.tree ? DETAIL_TREE : DETAIL;
+        grown->growth = grow_over(&image, side, &def->growth);
         good = grown->growth || file_fail(error, def->picture, "memory is short");
     }
     image_finish(&image);

@@ -6,6 +6,7 @@
 
 #include "file.h"
 #include "growth.h"
+#include "image.h"
 
 enum { GROW_OUTPUTS_MAX = 4 };
 
@@ -26,6 +27,9 @@ struct grow_def grow_default_def(void);
 
 /* Writes all outputs. False with the error; those before it are written then. */
 bool grow(const struct grow_def *def, struct file_error *error);
+
+/* Over a picture brought to `side` nodes along its longer side. NULL when memory is short. */
+struct growth *grow_over(const struct image *image, int side, const struct growth_def *def);
 
 /* What has grown, for those who write it. */
 struct grown {

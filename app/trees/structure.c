@@ -6,37 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fit.h"
+#include "grow.h"
+#include "key_fields.h"
+#include "rounded.h"
 #include "stroke_raster.h"
 
-#define OF(field) .offset = offsetof(struct structure_def, field)
+#define KEY_AT(field) offsetof(struct structure_def, field)
 
 const struct key structure_keys[] = {
-    {.name = "detail",
-     .type = KEY_INTEGER,
-     .unit = "nodes",
-     .min = 64,
-     .max = 2048,
-     .initial = 512,
-     OF(detail),
-     .meaning = "Nodes of the lattice along the picture's longer side."},
-    {.name = "width",
-     .type = KEY_NUMBER,
-     .unit = "cells",
-     .min = 0,
-     .max = 64,
-     .initial = 1,
-     OF(width),
-     .meaning = "How much wider every branch is than it grew."},
-    {.name = "fade",
-     .type = KEY_NUMBER,
-     .unit = "cells",
-     .min = 0,
-     .max = 64,
-     .initial = 6,
-     OF(fade),
-     .meaning = "Of a guide: how far around a branch its direction fades to nothing."},
-    {.name = NULL},
+    WHOLE(detail, "nodes", 64, 2048, 512, "Nodes of the lattice along the picture's longer side."),
+    NUMBER(width, "cells", 0, 64, 1, "How much wider every branch is than it grew."),
+    NUMBER(fade, "cells", 0, 64, 6, "Of a guide: how far around a branch its direction fades to nothing."),
+    END,
 };
 
 /* Where the picture lies on the sheet, cells. */
@@ -69,30 +50,6 @@ static struct image image_of(const struct script_picture *picture)
         snprintf(image.names[c], sizeof image.names[c], "%s", NAMES[picture->channels - 1][c]);
     }
     return image;
-}
-
-static struct growth *grow_over(const struct script_picture *picture, const struct growth_def *def, int detail)
-{
-    int width, height;
-    struct image image = image_of(picture);
-    fit_size(&image, detail, &width, &height);
-    width = width < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : width;
-    height = height < GROWTH_SIZE_LEAST ? GROWTH_SIZE_LEAST : height;
-    struct growth *growth = NULL;
-    float *linear = fit_linear(&image, width, height);
-    float *grey = malloc((size_t)width * (size_t)height * sizeof *grey);
-    if (linear && grey) {
-        importance_grey(linear, width, height, 4, 3, grey);
-        growth = growth_create(grey, width, height, def);
-    }
-    free(linear);
-    free(grey);
-    return growth;
-}
-
-static float rounded(float value)
-{
-    return nearbyintf(value * 65536) / 65536;
 }
 
 static bool fill_dark(const struct growth *growth, const struct strokes *strokes, float scale, struct frame frame,
@@ -177,7 +134,8 @@ bool structure_raster(const struct script_picture *picture, const struct growth_
                       const struct structure_def *def, enum structure_kind kind, int width, int height, float *values)
 {
     struct frame frame = frame_of(picture, width, height);
-    struct growth *growth = grow_over(picture, growth_def, def->detail);
+    struct image image = image_of(picture);
+    struct growth *growth = grow_over(&image, def->detail, growth_def);
     struct strokes strokes = {0};
     bool good = growth && growth_strokes(growth, &strokes);
     if (good) {

@@ -1,11 +1,9 @@
 #include "display.h"
 
 #include <poll.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include <GLES3/gl31.h>
 
@@ -22,22 +20,6 @@ struct display_def display_default_def(void)
 const char *display_kind_name(enum display_kind kind)
 {
     return KINDS[kind];
-}
-
-bool display_fail(struct display_error *error, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(error->text, sizeof error->text, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
-uint64_t display_now_us(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (uint64_t)now.tv_sec * 1000000u + (uint64_t)now.tv_nsec / 1000u;
 }
 
 void display_post(struct display *display, struct event event)
@@ -85,11 +67,11 @@ static const char *keep(char *place, size_t size, const char *text)
 }
 
 static struct display *try_source(const struct display_def *def, const struct display_source *source, const char *why,
-                                  struct display_error *error)
+                                  struct device_error *error)
 {
     struct display *display = calloc(1, sizeof *display);
     if (!display) {
-        display_fail(error, "memory is short");
+        device_fail(error, "memory is short");
         return NULL;
     }
     display->def = *def;
@@ -107,22 +89,22 @@ static struct display *try_source(const struct display_def *def, const struct di
     return display;
 }
 
-static bool is_valid(const struct display_def *def, struct display_error *error)
+static bool is_valid(const struct display_def *def, struct device_error *error)
 {
     if (def->width < 0 || def->width > DISPLAY_SIZE_MAX || def->height < 0 || def->height > DISPLAY_SIZE_MAX) {
-        return display_fail(error, "a display of %dx%d: 0..%d pixels a side are allowed", def->width, def->height,
-                            DISPLAY_SIZE_MAX);
+        return device_fail(error, "a display of %dx%d: 0..%d pixels a side are allowed", def->width, def->height,
+                           DISPLAY_SIZE_MAX);
     }
     if (def->refresh_mhz < 0 || def->refresh_mhz > DISPLAY_REFRESH_MAX_MHZ) {
-        return display_fail(error, "a display at %d mHz: 0..%d are allowed", def->refresh_mhz, DISPLAY_REFRESH_MAX_MHZ);
+        return device_fail(error, "a display at %d mHz: 0..%d are allowed", def->refresh_mhz, DISPLAY_REFRESH_MAX_MHZ);
     }
     if (def->rotation % 90 != 0 || def->rotation < 0 || def->rotation > 270) {
-        return display_fail(error, "a display turned by %d degrees: 0, 90, 180 or 270 are allowed", def->rotation);
+        return device_fail(error, "a display turned by %d degrees: 0, 90, 180 or 270 are allowed", def->rotation);
     }
     return true;
 }
 
-struct display *display_create(const struct display_def *def, struct display_error *error)
+struct display *display_create(const struct display_def *def, struct device_error *error)
 {
     char reasons[sizeof error->text] = "";
     size_t used = 0;
@@ -279,7 +261,7 @@ void display_inject_reset(struct display *display)
     display->lost = true;
 }
 
-bool display_renew(struct display *display, struct display_error *error)
+bool display_renew(struct display *display, struct device_error *error)
 {
     if (!display->source->renew(display, error)) {
         return false;

@@ -20,6 +20,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "device_error.h"
 #include "event.h"
 
 enum display_kind { DISPLAY_AUTO, DISPLAY_KMS, DISPLAY_WINDOW, DISPLAY_HEADLESS, DISPLAY_KINDS };
@@ -56,15 +57,11 @@ struct display_def display_default_def(void); /* auto, whatever it prefers, not 
 /* "auto", "kms", "window", "headless", as the command line writes them. */
 const char *display_kind_name(enum display_kind kind);
 
-struct display_error {
-    char text[300]; /* one line, names connector, mode and property where there are such */
-};
-
 struct display;
 
 /* NULL with the reason in `error`: no such source in this build or on this machine, no GLES 3.1, a connector or a mode
  * that the definition asks for and that exists nowhere. Nothing plugged in is no reason. */
-struct display *display_create(const struct display_def *def, struct display_error *error);
+struct display *display_create(const struct display_def *def, struct device_error *error);
 void display_destroy(struct display *display); /* takes NULL */
 
 enum display_kind display_kind(const struct display *display);
@@ -138,6 +135,6 @@ bool display_lost(struct display *display);
 void display_inject_reset(struct display *display);
 /* Makes a new context in place of a lost one; everything in GL is to be made again. Shared contexts must have been
  * destroyed. False when there is none to be had yet: try again later. */
-bool display_renew(struct display *display, struct display_error *error);
+bool display_renew(struct display *display, struct device_error *error);
 
 #endif

@@ -60,7 +60,7 @@ static EGLContext create(const struct display_egl *egl, bool robust, EGLContext 
     return eglCreateContext(egl->display, egl->config, share, robust ? telling : plain);
 }
 
-bool display_egl_context(struct display_egl *egl, bool robust, struct display_error *error)
+bool display_egl_context(struct display_egl *egl, bool robust, struct device_error *error)
 {
     eglBindAPI(EGL_OPENGL_ES_API);
     egl->robust = robust && has_extension(egl->display, "EGL_EXT_create_context_robustness");
@@ -70,8 +70,8 @@ bool display_egl_context(struct display_egl *egl, bool robust, struct display_er
         egl->context = create(egl, false, EGL_NO_CONTEXT);
     }
     if (egl->context == EGL_NO_CONTEXT) {
-        return display_fail(error, "no context of GLES 3.1 on %s: %s", eglQueryString(egl->display, EGL_VENDOR),
-                            display_egl_reason());
+        return device_fail(error, "no context of GLES 3.1 on %s: %s", eglQueryString(egl->display, EGL_VENDOR),
+                           display_egl_reason());
     }
     return true;
 }

@@ -18,7 +18,7 @@ struct display_egl {
 };
 
 /* A context on an initialised display and chosen config; takes robustness where wanted and offered. */
-bool display_egl_context(struct display_egl *egl, bool robust, struct display_error *error);
+bool display_egl_context(struct display_egl *egl, bool robust, struct device_error *error);
 /* Makes the context current with its surface. */
 bool display_egl_enter(const struct display_egl *egl);
 /* Destroys surface and context, not the display. */

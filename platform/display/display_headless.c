@@ -11,7 +11,7 @@ struct headless {
     uint64_t next_us; /* of the vertical blank that the last frame waits for */
 };
 
-static bool open_context(struct display *display, struct display_error *error)
+static bool open_context(struct display *display, struct device_error *error)
 {
     struct headless *headless = display->own;
     struct display_egl *egl = &display->egl;
@@ -19,20 +19,20 @@ static bool open_context(struct display *display, struct display_error *error)
         return false;
     }
     if (!display_egl_enter(egl)) {
-        return display_fail(error, "headless: the context cannot be made current: %s", display_egl_reason());
+        return device_fail(error, "headless: the context cannot be made current: %s", display_egl_reason());
     }
     if (!display_canvas_make(&headless->canvas, display->panel.width, display->panel.height)) {
-        return display_fail(error, "headless: no framebuffer of %dx%d", display->panel.width, display->panel.height);
+        return device_fail(error, "headless: no framebuffer of %dx%d", display->panel.width, display->panel.height);
     }
     display->framebuffer = headless->canvas.framebuffer;
     return true;
 }
 
-static bool headless_create(struct display *display, struct display_error *error)
+static bool headless_create(struct display *display, struct device_error *error)
 {
     display->own = calloc(1, sizeof(struct headless));
     if (!display->own) {
-        return display_fail(error, "headless: memory is short");
+        return device_fail(error, "headless: memory is short");
     }
     display->panel.width = display->def.width ? display->def.width : DISPLAY_HEADLESS_WIDTH;
     display->panel.height = display->def.height ? display->def.height : DISPLAY_HEADLESS_HEIGHT;
@@ -41,7 +41,7 @@ static bool headless_create(struct display *display, struct display_error *error
     display->egl.display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     if (display->egl.display == EGL_NO_DISPLAY || !eglInitialize(display->egl.display, NULL, NULL)) {
         display->egl.display = EGL_NO_DISPLAY;
-        return display_fail(error, "headless: no EGL without a surface: %s", display_egl_reason());
+        return device_fail(error, "headless: no EGL without a surface: %s", display_egl_reason());
     }
     return open_context(display, error);
 }
@@ -69,7 +69,7 @@ static void headless_destroy(struct display *display)
 static void headless_wait(struct display *display, int timeout_ms)
 {
     const struct headless *headless = display->own;
-    uint64_t now = display_now_us(), end = timeout_ms < 0 ? UINT64_MAX : now + (uint64_t)timeout_ms * 1000;
+    uint64_t now = source_now_us(), end = timeout_ms < 0 ? UINT64_MAX : now + (uint64_t)timeout_ms * 1000;
     uint64_t until = display->state == DISPLAY_SHOWN ? headless->next_us : end;
     until = until < end ? until : end;
     if (until == UINT64_MAX) { /* dark, and nobody will ever wake it: do not hang the thread */
@@ -83,13 +83,13 @@ static bool headless_begin(struct display *display)
 {
     const struct headless *headless = display->own;
     glBindFramebuffer(GL_FRAMEBUFFER, display->framebuffer);
-    return display_now_us() >= headless->next_us;
+    return source_now_us() >= headless->next_us;
 }
 
 static void headless_end(struct display *display)
 {
     struct headless *headless = display->own;
-    uint64_t now = display_now_us(), period = 0;
+    uint64_t now = source_now_us(), period = 0;
     if (display->def.refresh_mhz > 0) {
         period = UINT64_C(1000000000) / (uint64_t)display->def.refresh_mhz;
     }
@@ -111,7 +111,7 @@ static void headless_power(struct display *display, bool on)
     display->state = on ? DISPLAY_SHOWN : DISPLAY_DARK;
 }
 
-static bool headless_renew(struct display *display, struct display_error *error)
+static bool headless_renew(struct display *display, struct device_error *error)
 {
     drop_framebuffer(display);
     return open_context(display, error);

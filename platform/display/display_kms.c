@@ -40,29 +40,29 @@ static void fit(struct display *display)
     const struct kms_output *output = &kms->screen.output;
     int width = output->mode.hdisplay, height = output->mode.vdisplay;
     int offered = kms->card->modifiers ? output->shape.modifier_count : 0;
-    struct display_error error = {""};
+    struct device_error error = {""};
     drop_buffers(display);
     if (!display_egl_enter(&display->egl)) {
-        display_fail(&error, "%s: the context cannot be made current: %s", output->name, display_egl_reason());
-        kms_screen_unfit(&kms->screen, &error, display_now_us());
+        device_fail(&error, "%s: the context cannot be made current: %s", output->name, display_egl_reason());
+        kms_screen_unfit(&kms->screen, &error, source_now_us());
         return;
     }
     if (offered > 0 &&
         kms_buffers_make(&kms->buffers, &display->egl, width, height, output->shape.modifiers, offered, &error)) {
-        if (kms_screen_fit(&kms->screen, kms->buffers.each[0].id, false, display_now_us())) {
+        if (kms_screen_fit(&kms->screen, kms->buffers.each[0].id, false, source_now_us())) {
             return;
         }
         drop_buffers(display);
     }
     if (!kms_buffers_make(&kms->buffers, &display->egl, width, height, NULL, 0, &error)) {
-        struct display_error named;
+        struct device_error named;
         char mode[KMS_MODE_TEXT];
         kms_mode_text(&output->mode, mode);
-        display_fail(&named, "%s %s: %.200s", output->name, mode, error.text);
-        kms_screen_unfit(&kms->screen, &named, display_now_us());
+        device_fail(&named, "%s %s: %.200s", output->name, mode, error.text);
+        kms_screen_unfit(&kms->screen, &named, source_now_us());
         return;
     }
-    kms_screen_fit(&kms->screen, kms->buffers.each[0].id, true, display_now_us());
+    kms_screen_fit(&kms->screen, kms->buffers.each[0].id, true, source_now_us());
 }
 
 /* Every choice that was made, and why. */
@@ -115,40 +115,39 @@ static void settle(struct display *display)
     tell(display);
 }
 
-static bool open_egl(struct display *display, struct display_error *error)
+static bool open_egl(struct display *display, struct device_error *error)
 {
     struct kms *kms = display->own;
     struct display_egl *egl = &display->egl;
     kms->buffers.gbm = gbm_create_device(kms->card->fd);
     if (!kms->buffers.gbm) {
-        return display_fail(error, "kms: %s (%s): no GBM", kms->card->path, kms->card->driver);
+        return device_fail(error, "kms: %s (%s): no GBM", kms->card->path, kms->card->driver);
     }
     egl->config = EGL_NO_CONFIG_KHR;
     egl->display = eglGetPlatformDisplay(EGL_PLATFORM_GBM_KHR, kms->buffers.gbm, NULL);
     if (egl->display == EGL_NO_DISPLAY || !eglInitialize(egl->display, NULL, NULL)) {
         egl->display = EGL_NO_DISPLAY;
-        return display_fail(error, "kms: %s (%s): no EGL: %s", kms->card->path, kms->card->driver,
-                            display_egl_reason());
+        return device_fail(error, "kms: %s (%s): no EGL: %s", kms->card->path, kms->card->driver, display_egl_reason());
     }
     return true;
 }
 
-static bool open_context(struct display *display, struct display_error *error)
+static bool open_context(struct display *display, struct device_error *error)
 {
     struct kms *kms = display->own;
     if (!display_egl_context(&display->egl, display->def.robust, error)) {
         return false;
     }
     if (!display_egl_enter(&display->egl)) {
-        return display_fail(error, "kms: the context cannot be made current without a surface: %s",
-                            display_egl_reason());
+        return device_fail(error, "kms: the context cannot be made current without a surface: %s",
+                           display_egl_reason());
     }
     const char *renderer = (const char *)glGetString(GL_RENDERER);
     kms->software = renderer && (strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe"));
     return true;
 }
 
-static bool start(struct display *display, struct display_error *error)
+static bool start(struct display *display, struct device_error *error)
 {
     struct kms *kms = display->own;
     const struct display_def *def = &display->def;
@@ -162,22 +161,22 @@ static bool start(struct display *display, struct display_error *error)
         return false;
     }
     kms->watch = kms_watch_create();
-    struct display_error why;
-    if (!kms_screen_start(&kms->screen, kms->card, &wish, display_now_us(), &why)) {
-        return display_fail(error, "kms: %s", why.text);
+    struct device_error why;
+    if (!kms_screen_start(&kms->screen, kms->card, &wish, source_now_us(), &why)) {
+        return device_fail(error, "kms: %s", why.text);
     }
     settle(display);
     if (kms->screen.refused_due_us != 0 && kms->screen.stage == KMS_EMPTY) {
-        return display_fail(error, "kms: %s", kms->screen.reason.text);
+        return device_fail(error, "kms: %s", kms->screen.reason.text);
     }
     return true;
 }
 
-static bool kms_create(struct display *display, struct display_error *error)
+static bool kms_create(struct display *display, struct device_error *error)
 {
     display->own = calloc(1, sizeof(struct kms));
     if (!display->own) {
-        return display_fail(error, "kms: memory is short");
+        return device_fail(error, "kms: memory is short");
     }
     display->flipped = true;
     return start(display, error);
@@ -216,14 +215,14 @@ static void attend(struct display *display)
 {
     struct kms *kms = display->own;
     if (kms->card) {
-        kms_screen_attend(&kms->screen, display_now_us(), kms_watch_read(kms->watch));
+        kms_screen_attend(&kms->screen, source_now_us(), kms_watch_read(kms->watch));
         settle(display);
     }
 }
 
 static int milliseconds_until(uint64_t due_us)
 {
-    uint64_t now_us = display_now_us();
+    uint64_t now_us = source_now_us();
     return due_us <= now_us ? 0 : (int)((due_us - now_us + 999) / 1000);
 }
 
@@ -236,9 +235,9 @@ static void kms_wait(struct display *display, int timeout_ms)
         return;
     }
     enum display_state before = display->state;
-    uint64_t end_us = timeout_ms < 0 ? UINT64_MAX : display_now_us() + (uint64_t)timeout_ms * 1000;
+    uint64_t end_us = timeout_ms < 0 ? UINT64_MAX : source_now_us() + (uint64_t)timeout_ms * 1000;
     attend(display);
-    while (!kms_screen_free(&kms->screen) && display->state == before && display_now_us() < end_us) {
+    while (!kms_screen_free(&kms->screen) && display->state == before && source_now_us() < end_us) {
         uint64_t due_us = kms_screen_due_us(&kms->screen);
         const int own[2] = {kms->card->fd, kms_watch_fd(kms->watch)};
         bool woken = display_poll(display, own, milliseconds_until(due_us < end_us ? due_us : end_us));
@@ -270,7 +269,7 @@ static void kms_end(struct display *display)
         glFlush(); /* the kernel flips when the GPU has finished: drivers put a fence on the buffer */
     }
     kms->shown = kms->drawn;
-    kms_screen_present(&kms->screen, kms->buffers.each[kms->drawn].id, display_now_us());
+    kms_screen_present(&kms->screen, kms->buffers.each[kms->drawn].id, source_now_us());
     settle(display);
 }
 
@@ -281,12 +280,12 @@ static void kms_power(struct display *display, bool on)
         display->state = on ? DISPLAY_LENT : DISPLAY_DARK;
         return;
     }
-    kms_screen_power(&kms->screen, on, display_now_us());
+    kms_screen_power(&kms->screen, on, source_now_us());
     settle(display);
 }
 
 /* The card as well, where this opening of it will never be master again. Counts and darkness go on. */
-static bool start_again(struct display *display, struct display_error *error)
+static bool start_again(struct display *display, struct device_error *error)
 {
     struct kms *kms = display->own;
     struct display_frames frames = display->frames;
@@ -304,7 +303,7 @@ static bool start_again(struct display *display, struct display_error *error)
     return true;
 }
 
-static bool kms_renew(struct display *display, struct display_error *error)
+static bool kms_renew(struct display *display, struct device_error *error)
 {
     struct kms *kms = display->own;
     if (!kms->card || kms->screen.stale) {

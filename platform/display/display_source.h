@@ -11,13 +11,13 @@ struct display;
 struct display_source {
     enum display_kind kind;
     /* Fills source_state, egl, panel, state, note. */
-    bool (*create)(struct display *display, struct display_error *error);
+    bool (*create)(struct display *display, struct device_error *error);
     void (*destroy)(struct display *display);
     void (*wait)(struct display *display, int timeout_ms);
     bool (*begin)(struct display *display); /* the context is current; sets and binds framebuffer */
     void (*end)(struct display *display);
     void (*power)(struct display *display, bool on); /* NULL: no such thing */
-    bool (*renew)(struct display *display, struct display_error *error);
+    bool (*renew)(struct display *display, struct device_error *error);
 };
 
 struct display {
@@ -44,10 +44,8 @@ struct display {
 /* NULL in a build without it. */
 extern const struct display_source display_kms, display_window, display_headless;
 
-bool display_fail(struct display_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Sets the source; the time is the caller's. */
 void display_post(struct display *display, struct event event);
-uint64_t display_now_us(void); /* CLOCK_MONOTONIC */
 /* Waits for two descriptors of the source's own (-1: none) and those of display_wake_on. True when one of the latter is
  * readable, or a signal has come. */
 bool display_poll(const struct display *display, const int own[2], int timeout_ms);

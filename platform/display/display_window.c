@@ -108,15 +108,15 @@ static void read_refresh(struct display *display)
 }
 
 /* SDL's own context, taken over as it is: SDL presents only what it made current itself. */
-static bool take_over(struct display *display, struct display_error *error)
+static bool take_over(struct display *display, struct device_error *error)
 {
     struct display_egl *egl = &display->egl;
     egl->display = eglGetCurrentDisplay();
     egl->context = eglGetCurrentContext();
     egl->surface = eglGetCurrentSurface(EGL_DRAW);
     if (egl->display == EGL_NO_DISPLAY || egl->context == EGL_NO_CONTEXT) {
-        return display_fail(error, "window: SDL's %s driver gives a context that is not of EGL",
-                            SDL_GetCurrentVideoDriver());
+        return device_fail(error, "window: SDL's %s driver gives a context that is not of EGL",
+                           SDL_GetCurrentVideoDriver());
     }
     EGLint id = 0, count = 0;
     eglQueryContext(egl->display, egl->context, EGL_CONFIG_ID, &id);
@@ -127,7 +127,7 @@ static bool take_over(struct display *display, struct display_error *error)
     return true;
 }
 
-static bool open_context(struct display *display, struct display_error *error)
+static bool open_context(struct display *display, struct device_error *error)
 {
     struct window *window = display->own;
     set_attributes(display->def.robust);
@@ -138,26 +138,26 @@ static bool open_context(struct display *display, struct display_error *error)
         window->context = SDL_GL_CreateContext(window->window);
     }
     if (!window->context) {
-        return display_fail(error, "window: no context of GLES 3.1: %s", SDL_GetError());
+        return device_fail(error, "window: no context of GLES 3.1: %s", SDL_GetError());
     }
     if (!take_over(display, error)) {
         return false;
     }
     SDL_GL_SetSwapInterval(1);
-    return follow_size(display) || display_fail(error, "window: no framebuffer of its size");
+    return follow_size(display) || device_fail(error, "window: no framebuffer of its size");
 }
 
-static bool open_window(struct display *display, struct display_error *error)
+static bool open_window(struct display *display, struct device_error *error)
 {
     struct window *window = display->own;
     set_hints();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-        return display_fail(error, "window: no desktop: %s", SDL_GetError());
+        return device_fail(error, "window: no desktop: %s", SDL_GetError());
     }
     window->subsystem = true;
     const char *driver = SDL_GetCurrentVideoDriver();
     if (driver && strcasecmp(driver, "KMSDRM") == 0) {
-        return display_fail(error, "window: no desktop, a bare screen (--display kms)");
+        return device_fail(error, "window: no desktop, a bare screen (--display kms)");
     }
     set_attributes(display->def.robust);
     window->window = SDL_CreateWindow("Frond", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
@@ -165,17 +165,17 @@ static bool open_window(struct display *display, struct display_error *error)
                                       display->def.height ? display->def.height : WINDOW_HEIGHT,
                                       SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
     if (!window->window) {
-        return display_fail(error, "window: %s", SDL_GetError());
+        return device_fail(error, "window: %s", SDL_GetError());
     }
     return true;
 }
 
-static bool window_create(struct display *display, struct display_error *error)
+static bool window_create(struct display *display, struct device_error *error)
 {
     struct window *window = calloc(1, sizeof *window);
     display->own = window;
     if (!window) {
-        return display_fail(error, "window: memory is short");
+        return device_fail(error, "window: memory is short");
     }
     if (!open_window(display, error) || !open_context(display, error)) {
         return false;
@@ -255,7 +255,7 @@ static void take_event(struct display *display, const SDL_Event *event)
         SDL_GetWindowSize(window->window, &width, &height); /* of the mouse's points, not pixels */
         if (window_input_take(&window->input, event, width, height, &finger)) {
             display_untouch(display, &finger.x, &finger.y);
-            finger.time_us = display_now_us();
+            finger.time_us = source_now_us();
             display_post(display, finger);
         }
     }
@@ -282,7 +282,7 @@ static void window_wait(struct display *display, int timeout_ms)
     if (display->queue.count > 0 || display->closed) {
         return;
     }
-    uint64_t now_us = display_now_us();
+    uint64_t now_us = source_now_us();
     int until_ms = timeout_ms < 0 ? INT32_MAX : timeout_ms;
     if (display->state == DISPLAY_SHOWN) {
         uint64_t left_us = window->next_us > now_us ? window->next_us - now_us : 0;
@@ -296,7 +296,7 @@ static void window_wait(struct display *display, int timeout_ms)
             take_events(display);
             return;
         }
-        now_us = display_now_us();
+        now_us = source_now_us();
         until_ms = now_us < end_us ? (int)((end_us - now_us + 999) / 1000) : 0;
     }
 }
@@ -304,7 +304,7 @@ static void window_wait(struct display *display, int timeout_ms)
 static bool window_begin(struct display *display)
 {
     const struct window *window = display->own;
-    if (display_now_us() < window->next_us || !window->canvas.framebuffer) {
+    if (source_now_us() < window->next_us || !window->canvas.framebuffer) {
         return false;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, display->framebuffer);
@@ -331,7 +331,7 @@ static void window_end(struct display *display)
 {
     struct window *window = display->own;
     show_canvas(display);
-    struct kms_flip flip = {.time_us = display_now_us()};
+    struct kms_flip flip = {.time_us = source_now_us()};
     display->frames.missed += kms_pace_missed(&window->pace, &flip, display->frames.refresh_mhz);
     display->frames.presented++;
     display->frames.last_us = flip.time_us;
@@ -339,7 +339,7 @@ static void window_end(struct display *display)
     window->next_us = flip.time_us + period_us * 3 / 4; /* the rest is the desktop's, which may pace by itself */
 }
 
-static bool window_renew(struct display *display, struct display_error *error)
+static bool window_renew(struct display *display, struct device_error *error)
 {
     struct window *window = display->own;
     if (window->context) {

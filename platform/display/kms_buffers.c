@@ -12,7 +12,7 @@
 #include "display_source.h"
 
 static bool add_framebuffer(const struct kms_buffers *buffers, struct kms_buffer *buffer, bool modified,
-                            struct display_error *error)
+                            struct device_error *error)
 {
     uint32_t handles[4] = {0}, pitches[4] = {0}, offsets[4] = {0};
     uint64_t modifiers[4] = {0};
@@ -31,14 +31,14 @@ static bool add_framebuffer(const struct kms_buffers *buffers, struct kms_buffer
                      : drmModeAddFB2(fd, width, height, DRM_FORMAT_XRGB8888, handles, pitches, offsets, &buffer->id, 0);
     if (result != 0) {
         buffer->id = 0;
-        return display_fail(error, "a framebuffer of %ux%u XRGB8888, modifier 0x%llx, is refused: %s", width, height,
-                            (unsigned long long)modifiers[0], strerror(errno));
+        return device_fail(error, "a framebuffer of %ux%u XRGB8888, modifier 0x%llx, is refused: %s", width, height,
+                           (unsigned long long)modifiers[0], strerror(errno));
     }
     return true;
 }
 
 static bool make_one(struct kms_buffers *buffers, struct kms_buffer *buffer, int width, int height,
-                     const uint64_t *modifiers, int modifier_count, struct display_error *error)
+                     const uint64_t *modifiers, int modifier_count, struct device_error *error)
 {
     const uint32_t use = GBM_BO_USE_SCANOUT | GBM_BO_USE_RENDERING;
     errno = 0;
@@ -47,25 +47,25 @@ static bool make_one(struct kms_buffers *buffers, struct kms_buffer *buffer, int
                                                      GBM_FORMAT_XRGB8888, modifiers, (unsigned)modifier_count, use)
                      : gbm_bo_create(buffers->gbm, (uint32_t)width, (uint32_t)height, GBM_FORMAT_XRGB8888, use);
     if (!buffer->bo) {
-        return display_fail(error, "no buffer of %dx%d XRGB8888 to draw into and show: %s", width, height,
-                            errno ? strerror(errno) : "the driver gives none");
+        return device_fail(error, "no buffer of %dx%d XRGB8888 to draw into and show: %s", width, height,
+                           errno ? strerror(errno) : "the driver gives none");
     }
     buffers->modifier = gbm_bo_get_modifier(buffer->bo);
     return add_framebuffer(buffers, buffer, modifier_count > 0, error);
 }
 
-static bool bind_one(struct kms_buffer *buffer, const struct display_egl *egl, struct display_error *error)
+static bool bind_one(struct kms_buffer *buffer, const struct display_egl *egl, struct device_error *error)
 {
     PFNEGLCREATEIMAGEKHRPROC create_image = (PFNEGLCREATEIMAGEKHRPROC)eglGetProcAddress("eglCreateImageKHR");
     PFNGLEGLIMAGETARGETRENDERBUFFERSTORAGEOESPROC storage =
         (PFNGLEGLIMAGETARGETRENDERBUFFERSTORAGEOESPROC)eglGetProcAddress("glEGLImageTargetRenderbufferStorageOES");
     if (!create_image || !storage) {
-        return display_fail(error, "the driver draws into no EGL images");
+        return device_fail(error, "the driver draws into no EGL images");
     }
     buffer->image =
         create_image(egl->display, EGL_NO_CONTEXT, EGL_NATIVE_PIXMAP_KHR, (EGLClientBuffer)buffer->bo, NULL);
     if (buffer->image == EGL_NO_IMAGE_KHR) {
-        return display_fail(error, "no EGL image of a buffer: %s", display_egl_reason());
+        return device_fail(error, "no EGL image of a buffer: %s", display_egl_reason());
     }
     glGenRenderbuffers(1, &buffer->renderbuffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer->renderbuffer);
@@ -75,12 +75,12 @@ static bool bind_one(struct kms_buffer *buffer, const struct display_egl *egl, s
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer->renderbuffer);
     GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
-        return display_fail(error, "GL does not draw into the screen's buffers: 0x%x", status);
+        return device_fail(error, "GL does not draw into the screen's buffers: 0x%x", status);
     }
     return true;
 }
 
-bool kms_buffers_bind(struct kms_buffers *buffers, const struct display_egl *egl, struct display_error *error)
+bool kms_buffers_bind(struct kms_buffers *buffers, const struct display_egl *egl, struct device_error *error)
 {
     for (int i = 0; i < KMS_BUFFERS; i++) {
         if (!bind_one(&buffers->each[i], egl, error)) {
@@ -110,7 +110,7 @@ void kms_buffers_unbind(struct kms_buffers *buffers, const struct display_egl *e
 }
 
 bool kms_buffers_make(struct kms_buffers *buffers, const struct display_egl *egl, int width, int height,
-                      const uint64_t *modifiers, int modifier_count, struct display_error *error)
+                      const uint64_t *modifiers, int modifier_count, struct device_error *error)
 {
     for (int i = 0; i < KMS_BUFFERS; i++) {
         if (!make_one(buffers, &buffers->each[i], width, height, modifiers, modifier_count, error)) {

@@ -26,13 +26,13 @@ struct kms_buffers {
 /* XRGB8888, width x height pixels. With modifiers: in a layout of those, chosen by the driver; else in what it thinks
  * best. The context is current. False with the reason, and nothing is left behind. */
 bool kms_buffers_make(struct kms_buffers *buffers, const struct display_egl *egl, int width, int height,
-                      const uint64_t *modifiers, int modifier_count, struct display_error *error);
+                      const uint64_t *modifiers, int modifier_count, struct device_error *error);
 /* Takes those that were never made. */
 void kms_buffers_drop(struct kms_buffers *buffers, const struct display_egl *egl);
 bool kms_buffers_made(const struct kms_buffers *buffers);
 
 /* GL's side alone, for another context. */
-bool kms_buffers_bind(struct kms_buffers *buffers, const struct display_egl *egl, struct display_error *error);
+bool kms_buffers_bind(struct kms_buffers *buffers, const struct display_egl *egl, struct device_error *error);
 void kms_buffers_unbind(struct kms_buffers *buffers, const struct display_egl *egl);
 
 #endif

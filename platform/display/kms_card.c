@@ -47,22 +47,22 @@ static struct kms_card *open_path(const char *path, bool legacy)
 }
 
 static struct kms_card *open_named(const char *path, const struct kms_wish *wish, bool legacy, struct kms_scan *scan,
-                                   struct display_error *error)
+                                   struct device_error *error)
 {
     struct kms_card *card = open_path(path, legacy);
     if (!card) {
-        display_fail(error, "kms: %s: %s", path, strerror(errno));
+        device_fail(error, "kms: %s: %s", path, strerror(errno));
         return NULL;
     }
     int code = card->calls->scan(card, true, scan);
     if (code != 0 || scan->connector_count == 0) {
-        display_fail(error, "kms: %s (%s): %s", path, card->driver,
-                     code == 0 || code == EOPNOTSUPP ? "it has no connectors, it only renders" : strerror(code));
+        device_fail(error, "kms: %s (%s): %s", path, card->driver,
+                    code == 0 || code == EOPNOTSUPP ? "it has no connectors, it only renders" : strerror(code));
     } else if (kms_card_score(scan, wish) == 0) {
         char names[KMS_CONNECTORS * KMS_NAME];
         kms_connector_names(scan, names, sizeof names);
-        display_fail(error, "kms: %s (%s): it has no connector %s, but %.120s", path, card->driver,
-                     wish->connector ? wish->connector : "for a screen", names);
+        device_fail(error, "kms: %s (%s): it has no connector %s, but %.120s", path, card->driver,
+                    wish->connector ? wish->connector : "for a screen", names);
     } else {
         return card;
     }
@@ -72,12 +72,12 @@ static struct kms_card *open_named(const char *path, const struct kms_wish *wish
 
 /* A card that is opened while nobody is master becomes it: those not taken are closed, and let go of it. */
 static struct kms_card *open_best(const struct kms_wish *wish, bool legacy, struct kms_scan *scan,
-                                  struct display_error *error)
+                                  struct device_error *error)
 {
     struct kms_card *best = NULL;
     int best_score = 0;
     glob_t found = {0};
-    display_fail(error, "kms: no /dev/dri/card* on this machine");
+    device_fail(error, "kms: no /dev/dri/card* on this machine");
     if (glob("/dev/dri/card*", 0, NULL, &found) != 0) {
         return NULL;
     }
@@ -96,11 +96,11 @@ static struct kms_card *open_best(const struct kms_wish *wish, bool legacy, stru
     return best;
 }
 
-struct kms_card *kms_card_open(const char *path, const struct kms_wish *wish, bool legacy, struct display_error *error)
+struct kms_card *kms_card_open(const char *path, const struct kms_wish *wish, bool legacy, struct device_error *error)
 {
     struct kms_scan *scan = calloc(1, sizeof *scan);
     if (!scan) {
-        display_fail(error, "kms: memory is short");
+        device_fail(error, "kms: memory is short");
         return NULL;
     }
     struct kms_card *card = path ? open_named(path, wish, legacy, scan, error) : open_best(wish, legacy, scan, error);

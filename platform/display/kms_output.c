@@ -29,13 +29,13 @@ struct slot {
 };
 
 static bool look_up(struct kms_card *card, uint32_t object, uint32_t type, const char *what, const struct slot *slots,
-                    int slot_count, struct display_error *error)
+                    int slot_count, struct device_error *error)
 {
     struct kms_property properties[KMS_PROPERTIES];
     int count = 0;
     int code = card->calls->properties(card, object, type, properties, &count);
     if (code != 0) {
-        return display_fail(error, "the properties of the %s cannot be read: %s", what, strerror(code));
+        return device_fail(error, "the properties of the %s cannot be read: %s", what, strerror(code));
     }
     for (int i = 0; i < slot_count; i++) {
         *slots[i].id = 0;
@@ -45,7 +45,7 @@ static bool look_up(struct kms_card *card, uint32_t object, uint32_t type, const
             }
         }
         if (slots[i].needed && *slots[i].id == 0) {
-            return display_fail(error, "the %s has no property %s", what, slots[i].name);
+            return device_fail(error, "the %s has no property %s", what, slots[i].name);
         }
     }
     return true;
@@ -54,7 +54,7 @@ static bool look_up(struct kms_card *card, uint32_t object, uint32_t type, const
 #define LOOK_UP(card, object, type, what, slots, error)                                                                \
     look_up(card, object, type, what, slots, (int)(sizeof(slots) / sizeof((slots)[0])), error)
 
-static bool look_up_all(struct kms_output *output, struct kms_card *card, struct display_error *error)
+static bool look_up_all(struct kms_output *output, struct kms_card *card, struct device_error *error)
 {
     struct kms_plane_properties *on = &output->on;
     const struct slot connector[] = {{"CRTC_ID", &output->crtc_id, card->atomic},
@@ -82,12 +82,12 @@ static void add_stray(struct kms_output *output, uint32_t object, uint32_t prope
 
 /* Of the primary planes that the CRTC can have: the one it has, then a free one, then any. */
 static bool choose_plane(struct kms_output *output, struct kms_card *card, const struct kms_scan *scan,
-                         struct display_error *error)
+                         struct device_error *error)
 {
     struct kms_plane planes[KMS_PLANES];
     int count = 0, best = 0, code = card->calls->planes(card, planes, &count);
     if (code != 0) {
-        return !card->atomic || display_fail(error, "the planes cannot be read: %s", strerror(code));
+        return !card->atomic || device_fail(error, "the planes cannot be read: %s", strerror(code));
     }
     int index = kms_crtc_index(scan, output->crtc);
     for (int i = 0; i < count; i++) {
@@ -100,7 +100,7 @@ static bool choose_plane(struct kms_output *output, struct kms_card *card, const
         }
     }
     if (output->plane == 0 && card->atomic) {
-        return display_fail(error, "the CRTC has no primary plane");
+        return device_fail(error, "the CRTC has no primary plane");
     }
     return true;
 }
@@ -133,23 +133,23 @@ static void find_stray_connectors(struct kms_output *output, const struct kms_sc
 
 bool kms_output_open(struct kms_output *output, struct kms_card *card, const struct kms_scan *scan,
                      const struct kms_connector *connector, uint32_t crtc, const drmModeModeInfo *mode,
-                     struct display_error *error)
+                     struct device_error *error)
 {
-    struct display_error why = {""};
+    struct device_error why = {""};
     char text[KMS_MODE_TEXT];
     *output = (struct kms_output){.connector = connector->id, .crtc = crtc, .mode = *mode};
     memcpy(output->name, connector->name, sizeof output->name);
     kms_mode_text(mode, text);
     if (!choose_plane(output, card, scan, &why) || !look_up_all(output, card, &why)) {
-        return display_fail(error, "%s %s: %s", output->name, text, why.text);
+        return device_fail(error, "%s %s: %s", output->name, text, why.text);
     }
     if (card->atomic) {
         find_stray_planes(output, card);
         find_stray_connectors(output, scan);
         int code = card->calls->blob(card, mode, sizeof *mode, &output->mode_blob);
         if (code != 0) {
-            return display_fail(error, "%s %s: the kernel does not take the mode: %s", output->name, text,
-                                strerror(code));
+            return device_fail(error, "%s %s: the kernel does not take the mode: %s", output->name, text,
+                               strerror(code));
         }
     }
     return true;
@@ -277,7 +277,7 @@ static const struct kms_value *find_culprit(struct kms_card *card, const struct 
 }
 
 void kms_output_explain(const struct kms_output *output, struct kms_card *card, uint32_t framebuffer, int code,
-                        struct display_error *error)
+                        struct device_error *error)
 {
     char text[KMS_MODE_TEXT];
     kms_mode_text(&output->mode, text);
@@ -287,12 +287,12 @@ void kms_output_explain(const struct kms_output *output, struct kms_card *card, 
     put_mode(&bare, output);
     const struct kms_value *culprit = card->atomic ? find_culprit(card, output, &request) : NULL;
     if (culprit) {
-        display_fail(error, "%s %s: property %s = %" PRIu64 " is refused: %s", output->name, text, culprit->name,
-                     culprit->value, strerror(code));
+        device_fail(error, "%s %s: property %s = %" PRIu64 " is refused: %s", output->name, text, culprit->name,
+                    culprit->value, strerror(code));
     } else if (card->atomic && commit(card, &bare, TESTED, 0) == 0) {
-        display_fail(error, "%s %s: property FB_ID: the plane refuses this kind of framebuffer: %s", output->name, text,
-                     strerror(code));
+        device_fail(error, "%s %s: property FB_ID: the plane refuses this kind of framebuffer: %s", output->name, text,
+                    strerror(code));
     } else {
-        display_fail(error, "%s %s: property MODE_ID: the mode is refused: %s", output->name, text, strerror(code));
+        device_fail(error, "%s %s: property MODE_ID: the mode is refused: %s", output->name, text, strerror(code));
     }
 }

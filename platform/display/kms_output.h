@@ -26,7 +26,7 @@ struct kms_output {
 /* Looks up everything by name, once. False with the reason: no plane, or a property that must be there is missing. */
 bool kms_output_open(struct kms_output *output, struct kms_card *card, const struct kms_scan *scan,
                      const struct kms_connector *connector, uint32_t crtc, const drmModeModeInfo *mode,
-                     struct display_error *error);
+                     struct device_error *error);
 void kms_output_close(struct kms_output *output, struct kms_card *card);
 
 /* Whether the mode could be set with this framebuffer; 0 where there is no way to ask. */
@@ -43,6 +43,6 @@ int kms_output_off(const struct kms_output *output, struct kms_card *card, bool 
 /* Why setting the mode ended with `code`: finds the property that is refused by leaving each out of the request in
  * turn. "HDMI-A-1 1920x1080@60: property CRTC_W = 1920 is refused: Invalid argument" */
 void kms_output_explain(const struct kms_output *output, struct kms_card *card, uint32_t framebuffer, int code,
-                        struct display_error *error);
+                        struct device_error *error);
 
 #endif

@@ -94,8 +94,8 @@ static void say_why_no_mode(struct kms_screen *screen, const struct kms_connecto
     if (screen->wish.refresh_mhz) {
         snprintf(at, sizeof at, " at %g Hz", screen->wish.refresh_mhz / 1000.);
     }
-    display_fail(&screen->reason, "%s has no mode %s%s; it has %s and %d more", connector->name, wish, at, have,
-                 connector->mode_count > 0 ? connector->mode_count - 1 : 0);
+    device_fail(&screen->reason, "%s has no mode %s%s; it has %s and %d more", connector->name, wish, at, have,
+                connector->mode_count > 0 ? connector->mode_count - 1 : 0);
 }
 
 static bool is_refused(const struct kms_screen *screen, const struct kms_connector *connector)
@@ -110,8 +110,8 @@ static void choose(struct kms_screen *screen, uint64_t now_us)
     int index = kms_choose_connector(scan, &screen->wish, screen->connector);
     if (index < 0) {
         leave(screen, now_us);
-        display_fail(&screen->reason, "%s is plugged in",
-                     screen->wish.connector ? "nothing that was asked for" : "nothing");
+        device_fail(&screen->reason, "%s is plugged in",
+                    screen->wish.connector ? "nothing that was asked for" : "nothing");
         return;
     }
     const struct kms_connector *connector = &scan->connectors[index];
@@ -138,7 +138,7 @@ static void choose(struct kms_screen *screen, uint64_t now_us)
     }
     uint32_t crtc = kms_choose_crtc(scan, connector);
     if (crtc == 0) {
-        display_fail(&screen->reason, "%s: no CRTC can feed it", connector->name);
+        device_fail(&screen->reason, "%s: no CRTC can feed it", connector->name);
     } else if (kms_output_open(&screen->output, screen->card, scan, connector, crtc, &connector->modes[mode],
                                &screen->reason)) {
         screen->stage = KMS_CHOSEN;
@@ -161,7 +161,7 @@ static void look(struct kms_screen *screen, uint64_t now_us, bool probe)
     }
     if (code != 0) {
         leave(screen, now_us);
-        display_fail(&screen->reason, "%s: its connectors cannot be read: %s", screen->card->path, strerror(code));
+        device_fail(&screen->reason, "%s: its connectors cannot be read: %s", screen->card->path, strerror(code));
         return;
     }
     screen->signature = signature_of(screen->scan);
@@ -209,7 +209,7 @@ bool kms_screen_fit(struct kms_screen *screen, uint32_t framebuffer, bool last, 
     return false;
 }
 
-void kms_screen_unfit(struct kms_screen *screen, const struct display_error *reason, uint64_t now_us)
+void kms_screen_unfit(struct kms_screen *screen, const struct device_error *reason, uint64_t now_us)
 {
     screen->reason = *reason;
     refuse(screen, now_us);
@@ -404,12 +404,12 @@ void kms_screen_power(struct kms_screen *screen, bool on, uint64_t now_us)
 }
 
 bool kms_screen_start(struct kms_screen *screen, struct kms_card *card, const struct kms_wish *wish, uint64_t now_us,
-                      struct display_error *error)
+                      struct device_error *error)
 {
     *screen = (struct kms_screen){.card = card, .wish = *wish, .stage = KMS_EMPTY};
     screen->scan = calloc(1, sizeof *screen->scan);
     if (!screen->scan) {
-        return display_fail(error, "memory is short");
+        return device_fail(error, "memory is short");
     }
     if (card->calls->take_master(card) != 0) {
         become_lent(screen, now_us);
@@ -418,8 +418,8 @@ bool kms_screen_start(struct kms_screen *screen, struct kms_card *card, const st
     if (kms_card_score(screen->scan, wish) == 0) {
         char names[KMS_CONNECTORS * KMS_NAME];
         kms_connector_names(screen->scan, names, sizeof names);
-        return display_fail(error, "%s has no connector %s, but %.120s", card->path,
-                            wish->connector ? wish->connector : "for a screen", names);
+        return device_fail(error, "%s has no connector %s, but %.120s", card->path,
+                           wish->connector ? wish->connector : "for a screen", names);
     }
     int index = kms_choose_connector(screen->scan, wish, 0);
     if (index >= 0 && kms_choose_mode(&screen->scan->connectors[index], wish, NULL) < 0) {

@@ -39,7 +39,7 @@ struct kms_screen {
     int chosen;              /* index of the mode */
     bool refused[KMS_MODES]; /* of the connector `refused_of` */
     uint32_t refused_of;
-    struct display_error reason; /* why KMS_EMPTY */
+    struct device_error reason; /* why KMS_EMPTY */
 
     uint32_t next;    /* framebuffer that the kernel was too busy to take, 0: none */
     bool pending;     /* a flip has been asked for */
@@ -57,7 +57,7 @@ struct kms_screen {
 /* Takes no card: that is the caller's, and outlives the screen. False with the reason when the wish can never come
  * true: no such connector on the card, or no such mode on a connector that is plugged in. */
 bool kms_screen_start(struct kms_screen *screen, struct kms_card *card, const struct kms_wish *wish, uint64_t now_us,
-                      struct display_error *error);
+                      struct device_error *error);
 /* Puts back what the CRTC showed before, or switches it off. */
 void kms_screen_finish(struct kms_screen *screen);
 
@@ -73,7 +73,7 @@ bool kms_screen_reads(const struct kms_screen *screen);
  * why. `last`: there is no other kind of framebuffer to try; another mode is chosen, or none. */
 bool kms_screen_fit(struct kms_screen *screen, uint32_t framebuffer, bool last, uint64_t now_us);
 /* No framebuffers can be made for what is chosen. */
-void kms_screen_unfit(struct kms_screen *screen, const struct display_error *reason, uint64_t now_us);
+void kms_screen_unfit(struct kms_screen *screen, const struct device_error *reason, uint64_t now_us);
 
 /* Whether a frame may be presented now. */
 bool kms_screen_free(const struct kms_screen *screen);

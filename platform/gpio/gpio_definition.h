@@ -5,7 +5,7 @@
 #include "gpio_bank.h"
 
 /* What it says that is wrong: a line. */
-bool gpio_definition_check(const struct source_gpio_def *def, struct source_error *error);
+bool gpio_definition_check(const struct source_gpio_def *def, struct device_error *error);
 /* The lines of a definition that holds, in this order: buttons, A and B of each encoder, lamps. */
 void gpio_definition_lines(const struct source_gpio_def *def, struct gpio_bank *bank);
 

@@ -444,14 +444,14 @@ static const struct source_ops gpio_ops = {
 };
 
 struct source *source_gpio_create_on(const struct source_gpio_def *def, const struct gpio_lines_ops *ops, void *context,
-                                     struct source_error *error)
+                                     struct device_error *error)
 {
     if (!gpio_definition_check(def, error)) {
         return NULL;
     }
     struct source_gpio *gpio = calloc(1, sizeof *gpio);
     if (!gpio) {
-        source_fail(error, "GPIO: not enough memory");
+        device_fail(error, "GPIO: not enough memory");
         return NULL;
     }
     gpio->source.ops = &gpio_ops;
@@ -467,7 +467,7 @@ struct source *source_gpio_create_on(const struct source_gpio_def *def, const st
     }
     gpio_definition_lines(def, &gpio->bank);
     if (!bank_start(&gpio->bank)) {
-        source_fail(error, "GPIO: too many files are open");
+        device_fail(error, "GPIO: too many files are open");
         free(gpio);
         return NULL;
     }
@@ -476,7 +476,7 @@ struct source *source_gpio_create_on(const struct source_gpio_def *def, const st
     return &gpio->source;
 }
 
-struct source *source_gpio_create(const struct source_gpio_def *def, struct source_error *error)
+struct source *source_gpio_create(const struct source_gpio_def *def, struct device_error *error)
 {
     return source_gpio_create_on(def, &gpio_lines_system, NULL, error);
 }

@@ -61,10 +61,10 @@ struct source_gpio_def { /* copied */
 
 /* NULL, and `error` says why, when the definition is wrong or memory is short; what the machine lacks is no error. A
  * definition of nothing is good for devices(). */
-struct source *source_gpio_create(const struct source_gpio_def *def, struct source_error *error);
+struct source *source_gpio_create(const struct source_gpio_def *def, struct device_error *error);
 /* On another backend, which the caller keeps as long as the source: for tests. */
 struct source *source_gpio_create_on(const struct source_gpio_def *def, const struct gpio_lines_ops *ops, void *context,
-                                     struct source_error *error);
+                                     struct device_error *error);
 /* The lines of a chip in devices(), also of one that is not used, by their offset. Returns how many it has, and fills
  * at most `most`; 0: there is no such chip, or it cannot be asked. */
 int source_gpio_lines(const struct source *source, uint32_t device, struct gpio_line_info *lines, int most);

@@ -34,23 +34,23 @@ static bool copy_device(struct hid_device_def *to, const struct hid_device_def *
     return good;
 }
 
-static bool check_device(const struct hid_device_def *device, int which, struct source_error *error)
+static bool check_device(const struct hid_device_def *device, int which, struct device_error *error)
 {
     const struct hid_match *match = &device->match;
     if (!match->vendor && !match->product && !match->name) {
-        return source_fail(error, "hid: device %d of the definition matches everything", which);
+        return device_fail(error, "hid: device %d of the definition matches everything", which);
     }
     for (int i = 0; i < device->map_count; i++) {
         const struct hid_map_entry *entry = &device->map[i];
         if (entry->bits < 1 || entry->bits > 32 || entry->bit + (uint32_t)entry->bits > 8 * HID_REPORT_BYTES) {
-            return source_fail(error, "hid: entry %d of the map of device %d: %d bits from bit %u; 1 to 32 are allowed",
+            return device_fail(error, "hid: entry %d of the map of device %d: %d bits from bit %u; 1 to 32 are allowed",
                                i, which, entry->bits, entry->bit);
         }
     }
     return true;
 }
 
-struct hid_definition *hid_definition_create(const struct source_hid_def *def, struct source_error *error)
+struct hid_definition *hid_definition_create(const struct source_hid_def *def, struct device_error *error)
 {
     for (int i = 0; i < def->device_count; i++) {
         if (!check_device(&def->devices[i], i, error)) {
@@ -76,7 +76,7 @@ struct hid_definition *hid_definition_create(const struct source_hid_def *def, s
     }
     if (!good) {
         hid_definition_destroy(definition);
-        source_fail(error, "hid: memory is short");
+        device_fail(error, "hid: memory is short");
         return NULL;
     }
     return definition;

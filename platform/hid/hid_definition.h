@@ -9,7 +9,7 @@
 struct hid_definition;
 
 /* NULL: it is wrong, or memory is short. */
-struct hid_definition *hid_definition_create(const struct source_hid_def *def, struct source_error *error);
+struct hid_definition *hid_definition_create(const struct source_hid_def *def, struct device_error *error);
 void hid_definition_destroy(struct hid_definition *definition); /* takes NULL */
 const struct source_hid_def *hid_definition_get(const struct hid_definition *definition);
 

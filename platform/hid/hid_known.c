@@ -84,7 +84,7 @@ bool hid_known_light(struct hid_known *known, const struct hid_lamp_def *lamp, f
 
 void hid_known_describe(const struct hid_known *known, struct device *device)
 {
-    static const enum device_class classes[] = {
+    static const char *const classes[] = {
         [HID_CLASS_OTHER] = DEVICE_CONTROLLER,  [HID_CLASS_CONTROLLER] = DEVICE_CONTROLLER,
         [HID_CLASS_POINTER] = DEVICE_POINTER,   [HID_CLASS_TOUCH] = DEVICE_TOUCH,
         [HID_CLASS_KEYBOARD] = DEVICE_KEYBOARD,

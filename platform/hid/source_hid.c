@@ -473,11 +473,11 @@ static void start_monitor(struct source_hid *hid)
     }
 }
 
-struct source *source_hid_create(const struct source_hid_def *def, struct source_error *error)
+struct source *source_hid_create(const struct source_hid_def *def, struct device_error *error)
 {
     struct source_hid *hid = calloc(1, sizeof *hid);
     if (!hid) {
-        source_fail(error, "hid: memory is short");
+        device_fail(error, "hid: memory is short");
         return NULL;
     }
     hid->source.ops = &ops;
@@ -491,7 +491,7 @@ struct source *source_hid_create(const struct source_hid_def *def, struct source
     }
     if (!hid->udev || hid->epoll_fd < 0 || hid->wake_fd < 0 || !add_to_epoll(hid->epoll_fd, hid->wake_fd) ||
         hid_init() != 0) {
-        source_fail(error, "hid: udev or hidapi cannot be reached: %s", strerror(errno));
+        device_fail(error, "hid: udev or hidapi cannot be reached: %s", strerror(errno));
         destroy(&hid->source);
         return NULL;
     }

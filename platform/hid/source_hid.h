@@ -46,7 +46,7 @@ struct source_hid_def { /* all of it is copied */
 };
 
 /* NULL: udev cannot be reached, or memory is short. No device, or no permission for any, is no error. */
-struct source *source_hid_create(const struct source_hid_def *def, struct source_error *error);
+struct source *source_hid_create(const struct source_hid_def *def, struct device_error *error);
 
 /* Of a device that is plugged in, by its id, open or not. NULL: none such, or its descriptor is malformed. */
 const struct hid_descriptor *source_hid_descriptor(const struct source *source, uint32_t device);

@@ -211,12 +211,12 @@ static bool copy_def(struct broker *broker, const struct broker_def *def)
     return good;
 }
 
-struct broker *broker_create(const struct broker_def *def, char *error, size_t size)
+struct broker *broker_create(const struct broker_def *def, struct device_error *error)
 {
     struct broker *broker = calloc(1, sizeof *broker);
     pthread_condattr_t attribute;
     if (!broker) {
-        snprintf(error, size, "memory is short");
+        device_fail(error, "memory is short");
         return NULL;
     }
     pthread_condattr_init(&attribute);
@@ -234,7 +234,7 @@ struct broker *broker_create(const struct broker_def *def, char *error, size_t s
         good = pthread_create(&broker->thread, NULL, work, broker) == 0;
     }
     if (!good) {
-        snprintf(error, size, "a topic is none, or memory is short");
+        device_fail(error, "a topic is none, or memory is short");
         finish(broker);
         return NULL;
     }

@@ -5,7 +5,8 @@
 #define FROND_BROKER_H
 
 #include <stdbool.h>
-#include <stddef.h>
+
+#include "device_error.h"
 
 enum {
     BROKER_TOPICS = 4,   /* listened to; and published at a time */
@@ -27,8 +28,8 @@ struct broker_def { /* all of it is copied; paths are read when it connects */
 
 struct broker;
 
-/* NULL with the reason in `error`, a line. That the broker cannot be reached is no reason. */
-struct broker *broker_create(const struct broker_def *def, char *error, size_t size);
+/* NULL with the reason in `error`. That the broker cannot be reached is no reason. */
+struct broker *broker_create(const struct broker_def *def, struct device_error *error);
 /* Takes NULL. Says goodbye, and waits for the thread: at most a few seconds where a network hangs. */
 void broker_destroy(struct broker *broker);
 /* Publishes, retained, at least once. False when memory is short or BROKER_TOPICS others wait. */

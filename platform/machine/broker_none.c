@@ -1,12 +1,10 @@
 /* Built without libmosquitto. */
-#include <stdio.h>
-
 #include "broker.h"
 
-struct broker *broker_create(const struct broker_def *def, char *error, size_t size)
+struct broker *broker_create(const struct broker_def *def, struct device_error *error)
 {
     (void)def;
-    snprintf(error, size, "this Frond was built without MQTT (libmosquitto)");
+    device_fail(error, "this Frond was built without MQTT (libmosquitto)");
     return NULL;
 }
 

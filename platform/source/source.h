@@ -15,19 +15,21 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "device_error.h"
 #include "event.h"
 
 enum { SOURCE_NAME = 96, SOURCE_EVENTS = 1024 };
 
-struct source_error {
-    char text[300]; /* one line, names the device, the file and what to do about it */
-};
+/* Classes of devices, as people read them; a source may have others. */
+#define DEVICE_TOUCH      "touchscreen"
+#define DEVICE_POINTER    "pointer"
+#define DEVICE_KEYBOARD   "keyboard"
+#define DEVICE_CONTROLLER "controller"
+#define DEVICE_LINES      "lines"
 
-enum device_class { DEVICE_TOUCH, DEVICE_POINTER, DEVICE_KEYBOARD, DEVICE_CONTROLLER, DEVICE_LINES };
-
-struct device {  /* what is plugged in, used or not */
-    uint32_t id; /* as in struct event */
-    enum device_class class;
+struct device {               /* what is plugged in, used or not */
+    uint32_t id;              /* as in struct event */
+    const char *class;        /* DEVICE_TOUCH, ...; lives for ever */
     uint16_t vendor, product; /* USB ids; 0: none */
     char name[SOURCE_NAME];   /* as the device calls itself */
     char path[SOURCE_NAME];   /* "/dev/hidraw0" */

@@ -232,20 +232,20 @@ static bool get_line(struct source *source, char *line, int size)
     return source_take_line(&fake_of(source)->queue, line, size);
 }
 
-static bool check(const struct source_fake_def *def, struct source_error *error)
+static bool check(const struct source_fake_def *def, struct device_error *error)
 {
     int devices = def->device_count > 0 ? def->device_count : 1;
     if (devices > SOURCE_FAKE_DEVICES || def->lamps < 0 || def->lamps > SOURCE_FAKE_LAMPS) {
-        return source_fail(error, "fake: %d devices and %d lamps; at most %d and %d", devices, def->lamps,
+        return device_fail(error, "fake: %d devices and %d lamps; at most %d and %d", devices, def->lamps,
                            SOURCE_FAKE_DEVICES, SOURCE_FAKE_LAMPS);
     }
     for (int i = 0; i < def->step_count; i++) {
         const struct source_fake_step *step = &def->steps[i];
         if (step->device < 0 || step->device >= devices) {
-            return source_fail(error, "fake: step %d is of device %d; there are %d", i, step->device, devices);
+            return device_fail(error, "fake: step %d is of device %d; there are %d", i, step->device, devices);
         }
         if ((i > 0 && step->at_us < def->steps[i - 1].at_us) || (def->period_us && step->at_us > def->period_us)) {
-            return source_fail(error, "fake: step %d is out of the order of time", i);
+            return device_fail(error, "fake: step %d is out of the order of time", i);
         }
     }
     return true;
@@ -261,7 +261,7 @@ static const struct source_ops ops = {.name = "fake",
                                       .lamp = set_lamp,
                                       .log = get_line};
 
-struct source *source_fake_create(const struct source_fake_def *def, struct source_error *error)
+struct source *source_fake_create(const struct source_fake_def *def, struct device_error *error)
 {
     if (!check(def, error)) {
         return NULL;
@@ -275,7 +275,7 @@ struct source *source_fake_create(const struct source_fake_def *def, struct sour
         if (fd >= 0) {
             close(fd);
         }
-        source_fail(error, "fake: memory or descriptors are short");
+        device_fail(error, "fake: memory or descriptors are short");
         return NULL;
     }
     fake->source.ops = &ops;
@@ -289,6 +289,7 @@ struct source *source_fake_create(const struct source_fake_def *def, struct sour
     for (int i = 0; i < fake->def.device_count; i++) {
         fake->devices[i] = def->device_count > 0 ? def->devices[i] : (struct device){.name = "fake", .admitted = true};
         fake->devices[i].id = (uint32_t)i + 1;
+        fake->devices[i].class = fake->devices[i].class ? fake->devices[i].class : "device";
     }
     fake->begun_us = now_us(fake);
     for (int i = 0; i < fake->def.device_count && !def->absent; i++) {

@@ -22,7 +22,8 @@ struct source_fake_step {
 
 struct source_fake_def {
     enum event_source source;             /* what its events say they come from; SOURCE_FAKE if it plays nobody */
-    const struct device *devices;         /* all that may come; copied. Ids are given here: 1, 2, ... */
+    const struct device *devices;         /* all that may come; copied. Ids are given here: 1, 2, ...; class NULL:
+                                             "device" */
     int device_count;                     /* 0: one device that has no name */
     bool absent;                          /* they are not there at first; else they are, and say so */
     const struct source_fake_step *steps; /* copied */
@@ -35,7 +36,7 @@ struct source_fake_def {
 };
 
 /* NULL: the definition is wrong, or memory is short. */
-struct source *source_fake_create(const struct source_fake_def *def, struct source_error *error);
+struct source *source_fake_create(const struct source_fake_def *def, struct device_error *error);
 
 /* Devices by their place in the definition. What a device does while it is not there is lost, as with real ones. */
 void source_fake_arrive(struct source *source, int device);

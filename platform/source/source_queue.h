@@ -21,6 +21,5 @@ bool source_take(struct source_queue *queue, struct event *event);
 void source_note(struct source_queue *queue, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool source_take_line(struct source_queue *queue, char *line, int size);
 uint64_t source_now_us(void); /* CLOCK_MONOTONIC */
-bool source_fail(struct source_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -55,8 +55,8 @@ static void note_refusal(struct source_touch *touch, const char *path, int code)
     }
     touch_device_explain(device.trouble, sizeof device.trouble, path, code);
     device.admission = touch_admit(&touch->definition->def, &device.traits);
-    source_note(&touch->queue, "%s '%.40s' (%.40s): %s", touch_class_name(touch_class(&device.traits)),
-                device.traits.name, path, device.trouble);
+    source_note(&touch->queue, "%s '%.40s' (%.40s): %s", touch_class(&device.traits), device.traits.name, path,
+                device.trouble);
     touch_devices_add(&touch->devices, &device);
     touch->sweep = true;
 }
@@ -96,10 +96,9 @@ static bool is_heard(const struct touch_device *device)
 
 static void post_presence(struct source_touch *touch, const struct touch_device *device, enum event_kind kind)
 {
-    const struct event event = {.kind = kind,
-                                .source = touch_class(&device->traits) == DEVICE_KEYBOARD ? SOURCE_KEY : SOURCE_TOUCH,
-                                .time_us = source_now_us(),
-                                .device = device->id};
+    bool keyboard = strcmp(touch_class(&device->traits), DEVICE_KEYBOARD) == 0;
+    const struct event event = {
+        .kind = kind, .source = keyboard ? SOURCE_KEY : SOURCE_TOUCH, .time_us = source_now_us(), .device = device->id};
     source_post(&touch->queue, &event);
 }
 
@@ -119,7 +118,7 @@ static void arrive(struct source_touch *touch, struct libinput_device *from)
     read.admission = touch_admit(&touch->definition->def, traits);
     struct touch_device *device = touch_devices_add(&touch->devices, &read);
     libinput_device_set_user_data(from, device);
-    const char *class = touch_class_name(touch_class(traits));
+    const char *class = touch_class(traits);
     if (!device || !is_heard(device)) {
         /* What has keys stays grabbed all the same. */
         libinput_device_config_send_events_set_mode(from, LIBINPUT_CONFIG_SEND_EVENTS_DISABLED);
@@ -142,8 +141,8 @@ static void leave(struct source_touch *touch, struct touch_device *device)
     if (device->arrived) {
         device->arrived = false;
         post_presence(touch, device, EVENT_LEFT);
-        source_note(&touch->queue, "%s '%.60s' (%s) has left", touch_class_name(touch_class(&device->traits)),
-                    device->traits.name, device->path);
+        source_note(&touch->queue, "%s '%.60s' (%s) has left", touch_class(&device->traits), device->traits.name,
+                    device->path);
     }
 }
 
@@ -366,30 +365,30 @@ static void hear_log(struct libinput *libinput, enum libinput_log_priority prior
     }
 }
 
-static bool start(struct source_touch *touch, struct source_error *error)
+static bool start(struct source_touch *touch, struct device_error *error)
 {
     static const struct libinput_interface interface = {open_restricted, close_restricted};
     const struct source_touch_def *def = &touch->definition->def;
     if (def->hold && !(touch->hold = seat_hold_create(def->console, &touch->queue))) {
-        return source_fail(error, "touch: memory is short");
+        return device_fail(error, "touch: memory is short");
     }
     touch->udev = udev_new();
     touch->libinput = touch->udev ? libinput_udev_create_context(&interface, touch, touch->udev) : NULL;
     if (!touch->libinput) {
-        return source_fail(error, "touch: udev or libinput cannot be reached");
+        return device_fail(error, "touch: udev or libinput cannot be reached");
     }
     libinput_log_set_handler(touch->libinput, hear_log);
     if (libinput_udev_assign_seat(touch->libinput, def->seat) != 0) {
-        return source_fail(error, "touch: udev does not tell of devices on %.60s", def->seat);
+        return device_fail(error, "touch: udev does not tell of devices on %.60s", def->seat);
     }
     return true;
 }
 
-struct source *source_touch_create(const struct source_touch_def *def, struct source_error *error)
+struct source *source_touch_create(const struct source_touch_def *def, struct device_error *error)
 {
     struct source_touch *touch = calloc(1, sizeof *touch);
     if (!touch) {
-        source_fail(error, "touch: memory is short");
+        device_fail(error, "touch: memory is short");
         return NULL;
     }
     touch->source.ops = &ops;

@@ -56,6 +56,6 @@ struct source_touch_def { /* all of it is copied */
 
 /* NULL: the definition is wrong, udev or libinput cannot be reached, or memory is short. No device, or no permission
  * for any, is no error. */
-struct source *source_touch_create(const struct source_touch_def *def, struct source_error *error);
+struct source *source_touch_create(const struct source_touch_def *def, struct device_error *error);
 
 #endif

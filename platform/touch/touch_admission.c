@@ -13,21 +13,21 @@ static char *copy_text(const char *text, bool *good)
     return copy;
 }
 
-static bool check(const struct source_touch_def *def, struct source_error *error)
+static bool check(const struct source_touch_def *def, struct device_error *error)
 {
     if (def->rotation != 0 && def->rotation != 90 && def->rotation != 180 && def->rotation != 270) {
-        return source_fail(error, "touch: rotation %d; 0, 90, 180 and 270 are allowed", def->rotation);
+        return device_fail(error, "touch: rotation %d; 0, 90, 180 and 270 are allowed", def->rotation);
     }
     if (def->width < 0 || def->height < 0) {
-        return source_fail(error, "touch: a display of %dx%d", def->width, def->height);
+        return device_fail(error, "touch: a display of %dx%d", def->width, def->height);
     }
     if (def->key_count > SOURCE_TOUCH_KEYS) {
-        return source_fail(error, "touch: %d keys; %d are allowed", def->key_count, SOURCE_TOUCH_KEYS);
+        return device_fail(error, "touch: %d keys; %d are allowed", def->key_count, SOURCE_TOUCH_KEYS);
     }
     for (int i = 0; i < def->device_count; i++) {
         const struct source_touch_device_def *device = &def->devices[i];
         if (device->keys && def->key_count == 0) {
-            return source_fail(error, "touch: device %d of the definition is a keyboard to which no key is bound", i);
+            return device_fail(error, "touch: device %d of the definition is a keyboard to which no key is bound", i);
         }
     }
     return true;
@@ -52,7 +52,7 @@ static bool copy_lists(struct touch_definition *definition, const struct source_
     return good;
 }
 
-struct touch_definition *touch_definition_create(const struct source_touch_def *def, struct source_error *error)
+struct touch_definition *touch_definition_create(const struct source_touch_def *def, struct device_error *error)
 {
     bool good = true;
     if (!check(def, error)) {
@@ -60,7 +60,7 @@ struct touch_definition *touch_definition_create(const struct source_touch_def *
     }
     struct touch_definition *definition = calloc(1, sizeof *definition);
     if (!definition) {
-        source_fail(error, "touch: memory is short");
+        device_fail(error, "touch: memory is short");
         return NULL;
     }
     definition->def = *def;
@@ -70,7 +70,7 @@ struct touch_definition *touch_definition_create(const struct source_touch_def *
     definition->def.devices = definition->devices;
     definition->def.keys = definition->keys;
     if (!good) {
-        source_fail(error, "touch: memory is short");
+        device_fail(error, "touch: memory is short");
         touch_definition_destroy(definition);
         return NULL;
     }
@@ -135,15 +135,10 @@ bool touch_key_is_bound(const struct source_touch_def *def, uint32_t code)
     return false;
 }
 
-enum device_class touch_class(const struct touch_traits *traits)
+const char *touch_class(const struct touch_traits *traits)
 {
     if (traits->touch && !traits->touchpad) {
         return DEVICE_TOUCH;
     }
     return traits->keys ? DEVICE_KEYBOARD : DEVICE_POINTER;
-}
-
-const char *touch_class_name(enum device_class class)
-{
-    return class == DEVICE_TOUCH ? "touchscreen" : class == DEVICE_KEYBOARD ? "keyboard" : "pointer";
 }

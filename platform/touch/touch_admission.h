@@ -23,13 +23,12 @@ struct touch_definition {
 };
 
 /* NULL: see `error`. */
-struct touch_definition *touch_definition_create(const struct source_touch_def *def, struct source_error *error);
+struct touch_definition *touch_definition_create(const struct source_touch_def *def, struct device_error *error);
 void touch_definition_destroy(struct touch_definition *definition); /* takes NULL */
 
 struct touch_admission touch_admit(const struct source_touch_def *def, const struct touch_traits *traits);
 bool touch_key_is_bound(const struct source_touch_def *def, uint32_t code);
 /* Keyboards with a pointer count as keyboards, screens with keys as screens. */
-enum device_class touch_class(const struct touch_traits *traits);
-const char *touch_class_name(enum device_class class);
+const char *touch_class(const struct touch_traits *traits); /* DEVICE_TOUCH, ... */
 
 #endif

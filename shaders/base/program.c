@@ -11,7 +11,7 @@
 
 #include "variant.h"
 
-enum { INCLUDES_MOST = 32, SOURCE_MOST = 1 << 20 };
+enum { INCLUDES_MOST = 32, SOURCE_MOST = 1 << 20, PATH_MOST = 1024 };
 
 /* Integers and floats whole: 16 bits of precision are not enough for any field. */
 static const char PREAMBLE[] = "#version 310 es\n"
@@ -55,11 +55,33 @@ static void append(struct text *text, const char *bytes, size_t count)
     text->bytes[text->length] = '\0';
 }
 
-static char *read_file(const char *folder, const char *name)
+static FILE *open_in(const char *folder, const char *name)
 {
-    char path[1024];
+    char path[PATH_MOST];
     int length = snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = length > 0 && (size_t)length < sizeof path ? fopen(path, "rb") : NULL;
+    return length > 0 && length < PATH_MOST ? fopen(path, "rb") : NULL;
+}
+
+/* In the folder itself, or in one of its own. */
+static FILE *open_source(const char *folder, const char *name)
+{
+    FILE *file = open_in(folder, name);
+    DIR *directory = file ? NULL : opendir(folder);
+    for (struct dirent *entry; directory && !file && (entry = readdir(directory));) {
+        char below[PATH_MOST];
+        if (entry->d_name[0] != '.' && snprintf(below, sizeof below, "%s/%s", folder, entry->d_name) < PATH_MOST) {
+            file = open_in(below, name);
+        }
+    }
+    if (directory) {
+        closedir(directory);
+    }
+    return file;
+}
+
+static char *read_source(const char *folder, const char *name)
+{
+    FILE *file = open_source(folder, name);
     char *bytes = file ? malloc(SOURCE_MOST + 1) : NULL;
     size_t count = bytes ? fread(bytes, 1, SOURCE_MOST, file) : 0;
     if (file) {
@@ -83,7 +105,7 @@ static char *copy_embedded(const char *name)
 
 static char *load_source(const struct shader_folder *folder, const char *name)
 {
-    return folder && folder->path ? read_file(folder->path, name) : copy_embedded(name);
+    return folder && folder->path ? read_source(folder->path, name) : copy_embedded(name);
 }
 
 bool shader_variant(const struct shader_folder *folder, const char *name, int index, char defines[VARIANT_TEXT])
@@ -94,23 +116,32 @@ bool shader_variant(const struct shader_folder *folder, const char *name, int in
     return found;
 }
 
-long long shader_folder_stamp(const struct shader_folder *folder)
+/* Of what lies in a folder, and `depth` folders further down; ns. */
+static long long newest_in(const char *folder, int depth)
 {
-    DIR *directory = folder && folder->path ? opendir(folder->path) : NULL;
+    DIR *directory = opendir(folder);
     long long newest = 0;
     for (struct dirent *entry; directory && (entry = readdir(directory));) {
-        char path[1300];
+        char path[PATH_MOST];
         struct stat status;
-        snprintf(path, sizeof path, "%s/%s", folder->path, entry->d_name);
-        if (entry->d_name[0] != '.' && stat(path, &status) == 0) {
-            long long time = (long long)status.st_mtim.tv_sec * 1000000000 + status.st_mtim.tv_nsec;
-            newest = time > newest ? time : newest;
+        if (entry->d_name[0] == '.' || snprintf(path, sizeof path, "%s/%s", folder, entry->d_name) >= PATH_MOST ||
+            stat(path, &status) != 0) {
+            continue;
         }
+        long long time = (long long)status.st_mtim.tv_sec * 1000000000 + status.st_mtim.tv_nsec;
+        long long below = depth > 0 && S_ISDIR(status.st_mode) ? newest_in(path, depth - 1) : 0;
+        time = below > time ? below : time;
+        newest = time > newest ? time : newest;
     }
     if (directory) {
         closedir(directory);
     }
     return newest;
+}
+
+long long shader_folder_stamp(const struct shader_folder *folder)
+{
+    return folder && folder->path ? newest_in(folder->path, 1) : 0;
 }
 
 struct assembly {

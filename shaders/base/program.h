@@ -1,10 +1,11 @@
 /* Programs of the GPU: GLSL ES 3.10 sources, embedded at build or read from a folder while one works on them, put
  * together and compiled in the current GL context.
  *
- * A source is a file of this folder: NAME.comp, NAME.vert, NAME.frag are stages, NAME.glsl are included by
- * `#include "NAME.glsl"` (a line of its own, in any source, each file once a program). The first line, `#version 310
- * es`, and the precisions are put in front of every stage by the library: a source begins without them. The sets of
- * #defines that a stage is compiled with stand in it as `#variant` lines (variant.h); no others are taken. */
+ * A source is a file of a folder of shaders/, known by its name alone: NAME.comp, NAME.vert, NAME.frag are stages,
+ * NAME.glsl are included by `#include "NAME.glsl"` (a line of its own, in any source, each file once a program). The
+ * first line, `#version 310 es`, and the precisions are put in front of every stage by the library: a source begins
+ * without them. The sets of #defines that a stage is compiled with stand in it as `#variant` lines (variant.h); no
+ * others are taken. */
 #ifndef FROND_PROGRAM_H
 #define FROND_PROGRAM_H
 
@@ -33,11 +34,12 @@ struct shader_source {
 /* What was embedded; ends with a source whose name is NULL. */
 extern const struct shader_source shader_sources[];
 
-/* Where sources come from. NULL stands for the embedded ones everywhere below. */
+/* Where sources come from: a folder that has them, or has folders that do, as shaders/ has. NULL stands for the
+ * embedded ones everywhere below. */
 struct shader_folder {
     const char *path;
 };
-/* Changes whenever a source of the folder does: its newest time of modification, ns. 0 for the embedded. */
+/* Changes whenever a source of the folder does: the newest time of modification in it, ns. 0 for the embedded. */
 long long shader_folder_stamp(const struct shader_folder *folder);
 
 /* The whole text of a stage: version, precisions, `defines` (lines of #define that are one of its variants, or NULL),

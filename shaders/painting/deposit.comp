@@ -1,4 +1,4 @@
-// What an action lays on the cells (sim/painting/deposit.h), each verb as sim/painting/painting_act.c does it. A group is a tile.
+// What an action lays on the cells (sim/painting/deposit.h), by each law as sim/painting/painting_act.c does it. A group is a tile.
 #include "planes.glsl"
 #include "tiles.glsl"
 
@@ -20,19 +20,19 @@ layout(std430, binding = 2) buffer Sheet
 layout(binding = 0) uniform highp sampler2D deposit; // cover, seed; DEPOSIT_COLUMNS a row
 
 layout(location = 2) uniform ivec4 part;      // x0, x1, y0, y1
-layout(location = 3) uniform ivec4 lies;      // first tile, x and y; verb; ink
+layout(location = 3) uniform ivec4 lies;      // first tile, x and y; law; ink
 layout(location = 4) uniform vec3 laid;       // solvent, amount, carved ground
 layout(location = 5) uniform vec3 water;      // flow, of length 1; strength
 
-// Verbs, in the order of enum action_verb.
-const int DROP = 0;
-const int BRUSH_SOLVENT = 1;
-const int BRUSH_INK = 2;
-const int DRAW = 3;
-const int POUR = 5;
-const int DRY_OUT = 8;
-const int WET_AGAIN = 9;
-const int RINSE = 10;
+// enum deposit_law.
+const int LAW_DROP = 1;
+const int LAW_SOLVENT = 2;
+const int LAW_INK = 3;
+const int LAW_LINE = 4;
+const int LAW_FRESH = 5;
+const int LAW_DRIES = 6;
+const int LAW_WETS = 7;
+const int LAW_RINSE = 8;
 
 const int DEPOSIT_COLUMNS = 1024;
 const int INKS = 4;
@@ -152,7 +152,7 @@ void wet_again(int word, float cover)
     }
 }
 
-// sim/painting/rinse.h.
+// sim/action/rinse.h.
 const float RINSE_OVER = 0.97;
 const float RINSE_FILM = 0.4;
 const float RINSE_WATER = 0.5;
@@ -208,28 +208,28 @@ vec2 rinse(int word, float phase, float turn)
 // What leaves the sheet: solvent, ink.
 vec2 lay(int word, float cover, float seed)
 {
-    int verb = lies.z;
-    if (verb == POUR) {
+    int law = lies.z;
+    if (law == LAW_FRESH) {
         return pour(word, cover, seed);
     } else if (cover <= 0.0) {
         return vec2(0.0);
-    } else if (verb == DROP) {
+    } else if (law == LAW_DROP) {
         seed_growth(word, seed);
         add_solvent(word, cover * laid.x);
         add_ink(word, cover * laid.y);
-    } else if (verb == BRUSH_SOLVENT) {
+    } else if (law == LAW_SOLVENT) {
         add_solvent(word, cover * laid.y);
-    } else if (verb == BRUSH_INK) {
+    } else if (law == LAW_INK) {
         if (is_carved(word)) {
             add_ink(word, cover * laid.y);
         }
-    } else if (verb == DRAW) {
+    } else if (law == LAW_LINE) {
         draw(word, cover * laid.y);
-    } else if (verb == DRY_OUT) {
+    } else if (law == LAW_DRIES) {
         return dry_out(word, cover);
-    } else if (verb == WET_AGAIN) {
+    } else if (law == LAW_WETS) {
         wet_again(word, cover);
-    } else if (verb == RINSE) {
+    } else if (law == LAW_RINSE) {
         return rinse(word, cover, seed);
     }
     return vec2(0.0);
@@ -264,7 +264,7 @@ void main()
             gone += lay(word_of(cell), here.x, here.y);
         }
     }
-    if (lies.z == POUR || lies.z == DRY_OUT || lies.z == RINSE) {
+    if (lies.z == LAW_FRESH || lies.z == LAW_DRIES || lies.z == LAW_RINSE) {
         note_taken(tile.y * tile_counts.x + tile.x, int(gl_LocalInvocationIndex), gone);
     }
 }

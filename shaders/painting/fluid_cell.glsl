@@ -1,9 +1,6 @@
 // A cell of the fluids (eq. 7-12, 14): the equations of sim/painting/kernel.c, where the departures from the paper stand.
 layout(location = 3) uniform vec4 liquid; // omega, 1 / mu, gamma, delta
 
-const float UNIT_S_MAX = 1.0 / 32768.0;
-const uint CALM_PERIODS = 24u;
-
 // Of a cell and its neighbours: itself; left, above, right, below; above left, above right, below right, below left:
 // where populations 1..8 come from.
 struct Openness {

@@ -1,22 +1,16 @@
-/* The life of the GPU engine: buffers, rectangles of planes, the table of what it can do. */
-#include "painting_gpu.h"
-
+/* The life of the GPU engine: buffers, rectangles of planes. */
 #include <stdlib.h>
 #include <string.h>
 
 #include <GLES3/gl31.h>
 
+#include "kernel.h"
 #include "painting_gpu_state.h"
 
 enum {
     FILL_WORDS = 1 << 22,  /* of one dispatch: 65535 groups are promised */
     STAGE_ALIGN = 256,     /* the most that a device may ask of where a block begins */
     STAGE_BYTES = 4 << 20, /* that go at a time, or one plane */
-};
-static const float CLOSED_OPENNESS = -4.0f;
-
-struct gpu_planes { /* programs that fill and copy planes */
-    unsigned fill, rectangle;
 };
 
 static GLenum status_of(void)
@@ -78,17 +72,9 @@ void gpu_bind(const struct painting_gpu *gpu, enum gpu_buffer kind)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_TILES, gpu->tiles);
 }
 
-void gpu_set_planes(const struct painting_gpu *gpu, unsigned program)
-{
-    glUseProgram(program);
-    glUniform4i(glGetUniformLocation(program, "planes"), gpu->width, gpu->height, gpu->stride,
-                (GLint)gpu_plane_words(gpu));
-    glUniform2i(glGetUniformLocation(program, "tile_counts"), gpu->columns, gpu->lines);
-}
-
 static void fill(const struct painting_gpu *gpu, unsigned buffer, size_t from, size_t words, uint32_t value)
 {
-    glUseProgram(gpu->planes->fill);
+    gpu_use(gpu, PROGRAM_FILL);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
     for (size_t done = 0; done < words; done += FILL_WORDS) {
         size_t some = words - done < FILL_WORDS ? words - done : FILL_WORDS;
@@ -118,7 +104,7 @@ void gpu_empty(struct painting_gpu *gpu)
         fill_planes(gpu, gpu->pattern[i], GPU_CATALYST, 1, 1.0f);
     }
     fill_planes(gpu, gpu->sheet, GPU_DENSITY, GPU_SHEET_PLANES - GPU_DENSITY, 0.0f);
-    fill_planes(gpu, gpu->sheet, GPU_OPEN_SOLVENT, 2, CLOSED_OPENNESS);
+    fill_planes(gpu, gpu->sheet, GPU_OPEN_SOLVENT, 2, CLOSED);
     fill(gpu, gpu->tiles, 0, tiles_bytes_of(gpu) / sizeof(uint32_t), 0);
     gpu_steps_touch(gpu, (struct rectangle){0, gpu->width, 0, gpu->height});
 }
@@ -139,7 +125,7 @@ static void copy_rectangle(const struct painting_gpu *gpu, enum gpu_buffer kind,
 {
     int across = at.x1 - at.x0, down = at.y1 - at.y0;
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    glUseProgram(gpu->planes->rectangle);
+    gpu_use(gpu, PROGRAM_RECTANGLE);
     glUniform4i(2, at.x0, at.y0, across, down);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu_buffer_now(gpu, kind));
     for (int i = 0; i < count; i++) {
@@ -250,40 +236,15 @@ static bool make_buffers(struct painting_gpu *gpu, struct shader_error *error)
                                                      gpu_bytes(gpu), gpu->width, gpu->height);
 }
 
-static bool make_programs(struct painting_gpu *gpu, struct shader_error *error)
-{
-    gpu->planes = calloc(1, sizeof *gpu->planes);
-    if (!gpu->planes) {
-        return shader_fail(error, "memory is short");
-    }
-    gpu->planes->fill = program_compute(&gpu->folder, "fill.comp", NULL, error);
-    gpu->planes->rectangle = gpu->planes->fill ? program_compute(&gpu->folder, "rectangle.comp", NULL, error) : 0;
-    if (gpu->planes->rectangle) {
-        gpu_set_planes(gpu, gpu->planes->rectangle);
-    }
-    return gpu->planes->rectangle != 0;
-}
-
 static int in_tiles(int cells)
 {
     return (cells + GPU_TILE - 1) / GPU_TILE;
 }
 
-static bool is_legal(const struct painting_def *def)
-{
-    return def->width >= PAINTING_SIZE_MIN && def->width <= PAINTING_SIZE_MAX && def->height >= PAINTING_SIZE_MIN &&
-           def->height <= PAINTING_SIZE_MAX && def->margin >= 0 && def->margin <= PAINTING_MARGIN_MAX;
-}
-
-static bool fill_in(struct painting_gpu *gpu, struct shader_error *error)
-{
-    return fits(gpu, error) && make_buffers(gpu, error) && make_programs(gpu, error) && gpu_steps_create(gpu, error);
-}
-
 struct painting_gpu *gpu_create(const struct painting_def *def, const struct shader_folder *folder,
                                 struct shader_error *error)
 {
-    if (!is_legal(def)) {
+    if (!canvas_is_legal(painting_canvas(def))) {
         shader_fail(error, "a sheet of %dx%d cells with a margin of %d is out of range", def->width, def->height,
                     def->margin);
         return NULL;
@@ -302,7 +263,8 @@ struct painting_gpu *gpu_create(const struct painting_def *def, const struct sha
     gpu->lines = in_tiles(gpu->height);
     gpu->stride = gpu->columns * GPU_TILE + 2 * GPU_APRON;
     gpu->rows = gpu->lines * GPU_TILE + 2 * GPU_APRON;
-    if (!fill_in(gpu, error)) {
+    gpu->way = gpu_steps_way();
+    if (!fits(gpu, error) || !make_buffers(gpu, error) || !gpu_programs_make(gpu, error)) {
         gpu_destroy(gpu);
         return NULL;
     }
@@ -316,13 +278,7 @@ void gpu_destroy(struct painting_gpu *gpu)
     if (!gpu) {
         return;
     }
-    glUseProgram(0); /* a program in use outlives its deletion */
-    gpu_steps_destroy(gpu);
-    if (gpu->planes) {
-        glDeleteProgram(gpu->planes->fill);
-        glDeleteProgram(gpu->planes->rectangle);
-    }
-    free(gpu->planes);
+    gpu_programs_delete(gpu);
     glDeleteBuffers(2, gpu->fluid);
     glDeleteBuffers(2, gpu->pattern);
     glDeleteBuffers(1, &gpu->sheet);

@@ -15,8 +15,7 @@
  * storage blocks of this GPU. `folder` NULL: embedded sources. The threads and vectors of `def` mean nothing here. */
 struct engine *engine_gpu_create(const struct painting_def *def, const struct shader_folder *folder,
                                  struct shader_error *error);
-/* Compiles the sources of the folder again; with an error the old programs of that part of the engine, and of those
- * after it, stay. */
+/* Compiles the sources of the folder again; with an error all the old programs stay. */
 bool engine_gpu_reload(struct engine *engine, struct shader_error *error);
 /* How the layers are swept: the same equations, other programs. Each is best somewhere; timing tells where. */
 enum gpu_way {

@@ -16,10 +16,7 @@ enum {
     TEXTURES = 4,           /* in turn: the GPU may still be reading the last ones */
 };
 
-enum { PROGRAM_DEPOSIT, PROGRAM_GROUND, PROGRAM_COUNT };
-
 struct gpu_act {
-    unsigned programs[PROGRAM_COUNT];
     unsigned textures[TEXTURES]; /* rg32f, cover and seed */
     int turn;
     unsigned packed; /* GL buffer: ground on its way */
@@ -27,12 +24,6 @@ struct gpu_act {
     float *texels;   /* [DEPOSIT_CELLS][2] */
     uint32_t *words; /* [GROUND_PLANES][GROUND_CELLS] at most */
 };
-
-bool gpu_act_reload(struct painting_gpu *gpu, struct shader_error *error)
-{
-    static const struct gpu_program_part PARTS[PROGRAM_COUNT] = {{"deposit.comp", NULL}, {"ground.comp", NULL}};
-    return gpu_make_programs(gpu, PARTS, PROGRAM_COUNT, gpu->act->programs, error);
-}
 
 static const struct texture_def TEXTURE = {.format = TEXTURE_RG32F, .width = DEPOSIT_COLUMNS, .height = DEPOSIT_ROWS};
 
@@ -55,7 +46,7 @@ bool gpu_act_create(struct painting_gpu *gpu, struct shader_error *error)
         }
     }
     glGenBuffers(1, &act->packed);
-    return gpu_act_reload(gpu, error);
+    return true;
 }
 
 void gpu_act_destroy(struct painting_gpu *gpu)
@@ -63,9 +54,6 @@ void gpu_act_destroy(struct painting_gpu *gpu)
     struct gpu_act *act = gpu->act;
     if (!act) {
         return;
-    }
-    for (int i = 0; i < PROGRAM_COUNT; i++) {
-        glDeleteProgram(act->programs[i]);
     }
     for (int i = 0; i < TEXTURES; i++) {
         texture_delete(&act->textures[i]);
@@ -113,12 +101,12 @@ void gpu_act_upload(struct painting_gpu *gpu, struct rectangle cells)
 {
     int rows = GROUND_CELLS / (cells.x1 - cells.x0);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    glUseProgram(gpu->act->programs[PROGRAM_GROUND]);
+    gpu_use(gpu, PROGRAM_GROUND);
     for (int y = cells.y0; y < cells.y1; y += rows) {
         upload_band(gpu, (struct rectangle){cells.x0, cells.x1, y, y + rows < cells.y1 ? y + rows : cells.y1});
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    gpu_read_note_ground(gpu, cells);
+    gpu_rolling_note_ground(gpu, cells);
 }
 
 void gpu_act_upload_ground(struct painting_gpu *gpu)
@@ -148,10 +136,10 @@ static void apply_part(struct painting_gpu *gpu)
     int left = part.x0 / GPU_TILE, right = (part.x1 + GPU_TILE - 1) / GPU_TILE;
     int top = part.y0 / GPU_TILE, bottom = (part.y1 + GPU_TILE - 1) / GPU_TILE;
     upload_part(gpu->act);
-    glUseProgram(gpu->act->programs[PROGRAM_DEPOSIT]);
+    gpu_use(gpu, PROGRAM_DEPOSIT);
     glUniform4i(2, part.x0, part.x1, part.y0, part.y1);
-    glUniform4i(3, left, top, (int)deposit->verb, deposit->ink);
-    glUniform3f(4, deposit->solvent, deposit->amount, DEPOSIT_CARVED);
+    glUniform4i(3, left, top, (int)deposit->law, deposit->ink);
+    glUniform3f(4, deposit->solvent, deposit->amount, CARVED_DEPTH);
     glUniform3f(5, deposit->water.flow.x, deposit->water.flow.y, deposit->action.strength);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu_buffer_now(gpu, BUFFER_FLUID));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, gpu_buffer_now(gpu, BUFFER_PATTERN));
@@ -171,9 +159,7 @@ static void lay(struct painting_gpu *gpu, const struct action *action)
     if (rectangle_is_empty(deposit->cells)) {
         return;
     }
-    bool brings_liquid = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_SOLVENT ||
-                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET || action->verb == ACTION_RINSE;
-    if (brings_liquid) {
+    if (deposit_brings_liquid(deposit)) {
         gpu_steps_mark(gpu, deposit->cells, BIT_WET);
     }
     gpu_steps_touch(gpu, deposit->cells);

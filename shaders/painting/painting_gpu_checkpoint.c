@@ -4,9 +4,22 @@
 
 #include <GLES3/gl31.h>
 
-#include "painting_gpu_read.h"
+#include "painting_gpu_state.h"
 
 enum { STEP_BYTES = 4 << 20 }; /* that a step brings to memory */
+
+struct gpu_rolling {
+    unsigned copy; /* GL buffer: the planes of a checkpoint, in its order, then the tiles as they are */
+    size_t bytes;  /* of it; 0 before the first */
+    void *fence;   /* GLsync: the copy is made; NULL: it is there, or there is none */
+    bool under_way;
+    int rows_done;               /* of CHECKPOINT_PLANES planes, one after the other, then of the ground */
+    struct ground *ground;       /* as it was when the copy was made */
+    int dirty_from, dirty_until; /* rows in which the ground has changed since */
+    int64_t tick;
+    struct painting_def def;
+    double evaporated, ink_dried; /* of the painting, without the sums of the tiles */
+};
 
 static struct rectangle whole_of(const struct painting_gpu *gpu)
 {
@@ -84,33 +97,43 @@ bool gpu_load(struct painting_gpu *gpu, const struct checkpoint *checkpoint)
     return load_counters(gpu, checkpoint) && whole;
 }
 
-void rolling_finish(struct rolling *rolling)
+bool gpu_rolling_create(struct painting_gpu *gpu, struct shader_error *error)
 {
+    gpu->rolling = calloc(1, sizeof *gpu->rolling);
+    return gpu->rolling || shader_fail(error, "memory is short");
+}
+
+void gpu_rolling_destroy(struct painting_gpu *gpu)
+{
+    struct gpu_rolling *rolling = gpu->rolling;
+    if (!rolling) {
+        return;
+    }
     if (rolling->fence) {
         glDeleteSync(rolling->fence);
     }
-    if (rolling->copy) {
-        glDeleteBuffers(1, &rolling->copy);
-    }
+    glDeleteBuffers(1, &rolling->copy);
     ground_destroy(rolling->ground);
-    *rolling = (struct rolling){0};
+    free(rolling);
+    gpu->rolling = NULL;
 }
 
-size_t rolling_bytes(const struct rolling *rolling)
+size_t gpu_rolling_bytes(const struct painting_gpu *gpu)
 {
+    const struct gpu_rolling *rolling = gpu->rolling;
     return rolling->bytes + (rolling->ground ? rolling->ground->bytes : 0);
 }
 
-void gpu_read_note_ground(struct painting_gpu *gpu, struct rectangle cells)
+void gpu_rolling_note_ground(struct painting_gpu *gpu, struct rectangle cells)
 {
-    struct rolling *rolling = &gpu->read->rolling; /* made before any ground goes up */
+    struct gpu_rolling *rolling = gpu->rolling; /* made before any ground goes up */
     bool clean = rolling->dirty_from >= rolling->dirty_until;
     rolling->dirty_from = clean || cells.y0 < rolling->dirty_from ? cells.y0 : rolling->dirty_from;
     rolling->dirty_until = clean || cells.y1 > rolling->dirty_until ? cells.y1 : rolling->dirty_until;
 }
 
 /* Its room, with the first checkpoint. */
-static bool take_room(struct painting_gpu *gpu, struct rolling *rolling)
+static bool take_room(struct painting_gpu *gpu, struct gpu_rolling *rolling)
 {
     if (rolling->bytes > 0) {
         return true;
@@ -145,7 +168,7 @@ static void copy_words(unsigned from, size_t first, size_t count, size_t to)
 bool engine_gpu_checkpoint_begin(struct engine *engine)
 {
     struct painting_gpu *gpu = (struct painting_gpu *)engine;
-    struct rolling *rolling = &gpu->read->rolling;
+    struct gpu_rolling *rolling = gpu->rolling;
     size_t plane = gpu_plane_words(gpu);
     rolling->under_way = false;
     if (!take_room(gpu, rolling)) {
@@ -176,7 +199,7 @@ bool engine_gpu_checkpoint_begin(struct engine *engine)
     return rolling->under_way;
 }
 
-static const void *map(const struct rolling *rolling, size_t word, size_t words)
+static const void *map(const struct gpu_rolling *rolling, size_t word, size_t words)
 {
     glBindBuffer(GL_COPY_READ_BUFFER, rolling->copy);
     return glMapBufferRange(GL_COPY_READ_BUFFER, (GLintptr)(word * sizeof(uint32_t)),
@@ -189,7 +212,7 @@ static void unmap(void)
 }
 
 /* Some rows of one plane; false when the GPU does not answer. */
-static bool step_planes(const struct painting_gpu *gpu, struct rolling *rolling, struct checkpoint *checkpoint)
+static bool step_planes(const struct painting_gpu *gpu, struct gpu_rolling *rolling, struct checkpoint *checkpoint)
 {
     int plane = rolling->rows_done / gpu->height, row = rolling->rows_done % gpu->height;
     int rows = STEP_BYTES / (int)sizeof(float) / gpu->stride;
@@ -209,7 +232,7 @@ static bool step_planes(const struct painting_gpu *gpu, struct rolling *rolling,
     return true;
 }
 
-static void step_ground(const struct painting_gpu *gpu, struct rolling *rolling, struct checkpoint *checkpoint)
+static void step_ground(const struct painting_gpu *gpu, struct gpu_rolling *rolling, struct checkpoint *checkpoint)
 {
     enum { CELL_BYTES = MAPS * 2 + 2 + 1 + 4 + 1 };
     int row = rolling->rows_done - CHECKPOINT_PLANES * gpu->height, rows = STEP_BYTES / CELL_BYTES / gpu->stride;
@@ -218,7 +241,7 @@ static void step_ground(const struct painting_gpu *gpu, struct rolling *rolling,
     rolling->rows_done += rows;
 }
 
-static bool finish_step(const struct painting_gpu *gpu, struct rolling *rolling, struct checkpoint *checkpoint)
+static bool finish_step(const struct painting_gpu *gpu, struct gpu_rolling *rolling, struct checkpoint *checkpoint)
 {
     size_t tiles = (size_t)gpu->columns * (size_t)gpu->lines;
     const uint32_t *words = map(rolling, CHECKPOINT_PLANES * gpu_plane_words(gpu), gpu_tiles_word(gpu, TILES_ARRAYS));
@@ -244,7 +267,7 @@ static bool finish_step(const struct painting_gpu *gpu, struct rolling *rolling,
 }
 
 /* Whether the copy is made; asks, and does not wait. */
-static bool copy_is_there(struct rolling *rolling)
+static bool copy_is_there(struct gpu_rolling *rolling)
 {
     if (rolling->fence) {
         GLenum state = glClientWaitSync(rolling->fence, 0, 0);
@@ -260,7 +283,7 @@ static bool copy_is_there(struct rolling *rolling)
 bool engine_gpu_checkpoint_step(struct engine *engine, struct checkpoint *checkpoint)
 {
     struct painting_gpu *gpu = (struct painting_gpu *)engine;
-    struct rolling *rolling = &gpu->read->rolling;
+    struct gpu_rolling *rolling = gpu->rolling;
     int bytes = 0, rows = rolling->rows_done;
     if (!rolling->under_way || !checkpoint_fits(checkpoint, &gpu->def) || !copy_is_there(rolling)) {
         return false;

@@ -14,8 +14,7 @@ static void destroy(struct engine *engine)
 {
     struct painting_gpu *gpu = gpu_of(engine);
     gpu_act_destroy(gpu);
-    gpu_upkeep_destroy(gpu);
-    gpu_read_destroy(gpu);
+    gpu_rolling_destroy(gpu);
     ground_destroy(gpu->ground);
     gpu_destroy(gpu);
 }
@@ -29,7 +28,7 @@ static void tick(struct engine *engine)
 {
     struct painting_gpu *gpu = gpu_of(engine);
     gpu_steps_tick(gpu);
-    if (gpu->tick % GPU_UPKEEP_TICKS == 0) {
+    if (gpu->tick % UPKEEP_TICKS == 0) {
         gpu_upkeep_run(gpu);
     }
 }
@@ -118,7 +117,7 @@ static bool add_parts(struct painting_gpu *gpu, struct shader_error *error)
     if (!gpu->ground) {
         return shader_fail(error, "memory is short");
     }
-    return gpu_read_create(gpu, error) && gpu_act_create(gpu, error) && gpu_upkeep_create(gpu, error);
+    return gpu_rolling_create(gpu, error) && gpu_act_create(gpu, error);
 }
 
 struct engine *engine_gpu_create(const struct painting_def *def, const struct shader_folder *folder,
@@ -140,7 +139,5 @@ struct engine *engine_gpu_create(const struct painting_def *def, const struct sh
 
 bool engine_gpu_reload(struct engine *engine, struct shader_error *error)
 {
-    struct painting_gpu *gpu = gpu_of(engine);
-    return gpu_steps_reload(gpu, error) && gpu_act_reload(gpu, error) && gpu_upkeep_reload(gpu, error) &&
-           gpu_read_reload(gpu, error);
+    return gpu_programs_make(gpu_of(engine), error);
 }

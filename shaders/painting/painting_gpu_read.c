@@ -4,38 +4,7 @@
 
 #include <GLES3/gl31.h>
 
-#include "painting_gpu_read.h"
-
-bool gpu_read_reload(struct painting_gpu *gpu, struct shader_error *error)
-{
-    static const struct gpu_program_part PARTS[FIELDS_COUNT] = {[FIELDS_GROUND] = {"publish.comp", "#define GROUND"},
-                                                                [FIELDS_INK] = {"publish.comp", "#define INKS"},
-                                                                [FIELDS_PATTERN] = {"publish.comp", "#define PATTERNS"},
-                                                                [FIELDS_VECTORS] = {"publish.comp", "#define VECTORS"}};
-    return gpu_make_programs(gpu, PARTS, FIELDS_COUNT, gpu->read->programs, error);
-}
-
-bool gpu_read_create(struct painting_gpu *gpu, struct shader_error *error)
-{
-    gpu->read = calloc(1, sizeof *gpu->read);
-    if (!gpu->read) {
-        return shader_fail(error, "reading: memory is short");
-    }
-    return gpu_read_reload(gpu, error);
-}
-
-void gpu_read_destroy(struct painting_gpu *gpu)
-{
-    if (!gpu->read) {
-        return;
-    }
-    for (int i = 0; i < FIELDS_COUNT; i++) {
-        glDeleteProgram(gpu->read->programs[i]);
-    }
-    rolling_finish(&gpu->read->rolling);
-    free(gpu->read);
-    gpu->read = NULL;
-}
+#include "painting_gpu_state.h"
 
 void engine_gpu_publish(struct engine *engine, const struct fields *fields)
 {
@@ -47,7 +16,7 @@ void engine_gpu_publish(struct engine *engine, const struct fields *fields)
         if (!fields->texture[i]) {
             continue;
         }
-        glUseProgram(gpu->read->programs[i]);
+        gpu_use(gpu, (enum gpu_program)(PROGRAM_PUBLISH + i));
         glUniform3i(2, gpu->def.width, gpu->def.height, gpu->def.margin);
         glBindImageTexture(0, fields->texture[i], 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
         glDispatchCompute((GLuint)(gpu->def.width + 15) / 16, (GLuint)(gpu->def.height + 7) / 8, 1);
@@ -59,27 +28,28 @@ void engine_gpu_publish(struct engine *engine, const struct fields *fields)
 struct sum {
     enum gpu_buffer kind;
     int first, count;
-    float weights[9];
+    const float *weights;
 };
 
 static struct sum sum_of(enum painting_field field)
 {
+    static const float ONES[POPULATIONS] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
     static const struct sum SUMS[] = {
-        [PAINTING_CATALYST] = {BUFFER_PATTERN, GPU_CATALYST, 1, {1}},
-        [PAINTING_ACTIVE] = {BUFFER_PATTERN, GPU_ACTIVE, 1, {1}},
-        [PAINTING_CARVED] = {BUFFER_PATTERN, GPU_CARVED, 1, {1}},
-        [PAINTING_SOLVENT] = {BUFFER_FLUID, GPU_SOLVENT, 9, {1, 1, 1, 1, 1, 1, 1, 1, 1}},
-        [PAINTING_SOLVENT_U] = {BUFFER_FLUID, GPU_SOLVENT, 9, {0, 1, 0, -1, 0, 1, -1, -1, 1}},
-        [PAINTING_SOLVENT_V] = {BUFFER_FLUID, GPU_SOLVENT, 9, {0, 0, 1, 0, -1, 1, 1, -1, -1}},
-        [PAINTING_INK] = {BUFFER_FLUID, GPU_INK, 9, {1, 1, 1, 1, 1, 1, 1, 1, 1}},
-        [PAINTING_INK_U] = {BUFFER_FLUID, GPU_INK, 9, {0, 1, 0, -1, 0, 1, -1, -1, 1}},
-        [PAINTING_INK_V] = {BUFFER_FLUID, GPU_INK, 9, {0, 0, 1, 0, -1, 1, 1, -1, -1}},
+        [PAINTING_CATALYST] = {BUFFER_PATTERN, GPU_CATALYST, 1, ONES},
+        [PAINTING_ACTIVE] = {BUFFER_PATTERN, GPU_ACTIVE, 1, ONES},
+        [PAINTING_CARVED] = {BUFFER_PATTERN, GPU_CARVED, 1, ONES},
+        [PAINTING_SOLVENT] = {BUFFER_FLUID, GPU_SOLVENT, POPULATIONS, ONES},
+        [PAINTING_SOLVENT_U] = {BUFFER_FLUID, GPU_SOLVENT, POPULATIONS, d2q9_x},
+        [PAINTING_SOLVENT_V] = {BUFFER_FLUID, GPU_SOLVENT, POPULATIONS, d2q9_y},
+        [PAINTING_INK] = {BUFFER_FLUID, GPU_INK, POPULATIONS, ONES},
+        [PAINTING_INK_U] = {BUFFER_FLUID, GPU_INK, POPULATIONS, d2q9_x},
+        [PAINTING_INK_V] = {BUFFER_FLUID, GPU_INK, POPULATIONS, d2q9_y},
     };
     if (field < PAINTING_WET) {
         return SUMS[field];
     }
-    return field < PAINTING_DRY ? (struct sum){BUFFER_FLUID, GPU_WET + (int)field - (int)PAINTING_WET, 1, {1}}
-                                : (struct sum){BUFFER_SHEET, GPU_DRY + (int)field - (int)PAINTING_DRY, 1, {1}};
+    return field < PAINTING_DRY ? (struct sum){BUFFER_FLUID, GPU_WET + (int)field - (int)PAINTING_WET, 1, ONES}
+                                : (struct sum){BUFFER_SHEET, GPU_DRY + (int)field - (int)PAINTING_DRY, 1, ONES};
 }
 
 /* A field of a rectangle; zeroes when memory is short or the GPU does not answer. */
@@ -162,5 +132,5 @@ struct painting_totals gpu_read_totals(struct painting_gpu *gpu)
 
 size_t gpu_read_bytes_taken(const struct painting_gpu *gpu)
 {
-    return gpu_bytes(gpu) + gpu->ground->bytes + rolling_bytes(&gpu->read->rolling);
+    return gpu_bytes(gpu) + gpu->ground->bytes + gpu_rolling_bytes(gpu);
 }

@@ -1,9 +1,13 @@
 /* The inside of the GPU engine, shared by the files that make it up; nobody else includes this.
- *   painting_gpu.c         life: buffers, planes by rectangles, engine_ops
- *   painting_gpu_steps.c   a tick: tile lists, openness, fluid steps, pattern steps
- *   painting_gpu_act.c     actions: what the CPU plans (deposit.h) brought to the cells; changed ground uploaded
- *   painting_gpu_upkeep.c  drying, re-wetting, settling, evaporation
- *   painting_gpu_read.c    reading, totals, publishing; painting_gpu_checkpoint.c, painting_gpu_patch.c
+ *   painting_gpu.c             life: buffers, planes by rectangles
+ *   painting_gpu_engine.c      the whole as engine.h wants it
+ *   painting_gpu_programs.c    every compute program of it
+ *   painting_gpu_steps.c       a tick: tile lists, openness, fluid steps, pattern steps
+ *   painting_gpu_act.c         actions: what the CPU plans (deposit.h) brought to the cells; changed ground uploaded
+ *   painting_gpu_upkeep.c      drying, re-wetting, settling, evaporation
+ *   painting_gpu_read.c        reading, totals, publishing
+ *   painting_gpu_checkpoint.c  checkpoints, at once and rolling
+ *   painting_gpu_patch.c       rectangles for a history
  *
  * Few large buffers of planes. A plane is [rows][stride] words: the sheet rounded up to whole tiles, and around it an
  * apron of GPU_APRON cells, which no shader writes; cell (x, y) is word gpu_word(gpu, x, y). Beyond the sheet all is
@@ -22,19 +26,18 @@
 #include "painting_gpu.h"
 #include "patch.h"
 #include "rectangle.h"
+#include "upkeep.h"
 
 enum {
-    GPU_TILE = 32,         /* cells a side of what sleeps and wakes together */
-    GPU_APRON = 4,         /* cells around the tiles */
-    GPU_CALM_PERIODS = 24, /* as in sim/painting/painting_state.h */
+    GPU_TILE = 32, /* cells a side of what sleeps and wakes together */
+    GPU_APRON = 4, /* cells around the tiles */
 };
 
 /* Bindings of storage blocks, the same in every shader. */
 enum gpu_block { BLOCK_IN, BLOCK_OUT, BLOCK_SHEET, BLOCK_TILES };
 
-/* Planes of a fluid buffer: 9 populations of solvent, 9 of ink, 4 wet pigments, in the order of sim/painting/kernel.h.
- */
-enum { GPU_SOLVENT = 0, GPU_INK = 9, GPU_WET = 18, GPU_FLUID_PLANES = 22 };
+/* Planes of a fluid buffer, as sim/painting/kernel.h has them: populations of solvent and of ink, wet pigments. */
+enum { GPU_SOLVENT = FLUID_SOLVENT, GPU_INK = FLUID_INK, GPU_WET = FLUID_WET, GPU_FLUID_PLANES = FLUID_FIELDS };
 /* Planes of a pattern buffer. */
 enum { GPU_ACTIVE, GPU_CATALYST, GPU_CARVED, GPU_PATTERN_PLANES };
 /* Planes of the sheet, words: packed ground (units of sim/painting/kernel.h), then floats. */
@@ -101,8 +104,31 @@ struct gpu_stretch {
 enum { GPU_STRETCHES = 4 };
 extern const struct gpu_stretch gpu_stretches[GPU_STRETCHES];
 
-struct gpu_planes;
-struct gpu_steps;
+enum gpu_program {
+    PROGRAM_FILL,
+    PROGRAM_RECTANGLE,
+    PROGRAM_WAKE,
+    PROGRAM_MARK,
+    PROGRAM_STIR,
+    PROGRAM_OPENNESS,
+    PROGRAM_FLUID,
+    PROGRAM_FLUID_STRIP,
+    PROGRAM_PLAIN,
+    PROGRAM_PLAIN_WHOLE,
+    PROGRAM_PATCH,
+    PROGRAM_PATCH_WHOLE,
+    PROGRAM_STRIP,
+    PROGRAM_DEPOSIT,
+    PROGRAM_GROUND,
+    PROGRAM_COUNT,
+    PROGRAM_PIGMENT,
+    PROGRAM_SETTLE,
+    PROGRAM_PUBLISH, /* + enum fields_texture */
+    GPU_PROGRAMS = PROGRAM_PUBLISH + FIELDS_COUNT,
+};
+
+struct gpu_act;
+struct gpu_rolling;
 
 struct painting_gpu {
     struct engine engine;
@@ -119,11 +145,10 @@ struct painting_gpu {
     size_t stage_bytes;
     int fluid_now, pattern_now;   /* which of the two holds the state */
     double evaporated, ink_dried; /* before the sums of the tiles began: what a checkpoint brought */
-    struct gpu_planes *planes;    /* programs of painting_gpu.c */
-    struct gpu_steps *steps;      /* programs and scratch of painting_gpu_steps.c, and so on */
-    struct gpu_act *act;
-    struct gpu_upkeep *upkeep;
-    struct gpu_read *read;
+    enum gpu_way way;
+    unsigned programs[GPU_PROGRAMS]; /* GL names */
+    struct gpu_act *act;             /* room of painting_gpu_act.c */
+    struct gpu_rolling *rolling;     /* of painting_gpu_checkpoint.c: a checkpoint on its way to memory */
 };
 
 static inline size_t gpu_word(const struct painting_gpu *gpu, int x, int y)
@@ -136,7 +161,7 @@ static inline size_t gpu_plane_words(const struct painting_gpu *gpu)
     return (size_t)gpu->rows * (size_t)gpu->stride;
 }
 
-/* Buffers and programs of the steps, an empty painting whose ground is all 0; what engine_gpu_create builds upon. */
+/* Buffers and programs, an empty painting whose ground is all 0; what engine_gpu_create builds upon. */
 struct painting_gpu *gpu_create(const struct painting_def *def, const struct shader_folder *folder,
                                 struct shader_error *error);
 void gpu_destroy(struct painting_gpu *gpu);       /* takes NULL */
@@ -158,18 +183,21 @@ void gpu_empty(struct painting_gpu *gpu);
 
 /* Binds the blocks of the fluid or the pattern, `from` now; the sheet; the tiles. */
 void gpu_bind(const struct painting_gpu *gpu, enum gpu_buffer kind);
-/* Sets the uniforms of planes.glsl and tiles.glsl of a program, where it has them, and uses it. */
-void gpu_set_planes(const struct painting_gpu *gpu, unsigned program);
+
+/* All programs anew, from gpu->folder, with the uniforms of planes.glsl and tiles.glsl set; with an error all stay as
+ * they were. */
+bool gpu_programs_make(struct painting_gpu *gpu, struct shader_error *error);
+void gpu_programs_delete(struct painting_gpu *gpu); /* takes one that has none */
+void gpu_use(const struct painting_gpu *gpu, enum gpu_program program);
+
 /* Word of the buffer of tiles where an array begins. */
 static inline size_t gpu_tiles_word(const struct painting_gpu *gpu, int array)
 {
     return GPU_HEAD_WORDS + (size_t)array * (size_t)gpu->columns * (size_t)gpu->lines;
 }
 
-bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error);
-void gpu_steps_destroy(struct painting_gpu *gpu); /* takes one that has none */
-/* Programs anew; with an error the old ones stay. */
-bool gpu_steps_reload(struct painting_gpu *gpu, struct shader_error *error);
+/* The way that is likely best where GL runs. */
+enum gpu_way gpu_steps_way(void);
 /* fluid_steps and pattern_steps of now, no upkeep; gpu->tick goes on by one. Waits for nothing. */
 void gpu_steps_tick(struct painting_gpu *gpu);
 /* The two halves of it, and what comes first in the first of them (the list of tiles and their openness), for those who
@@ -185,29 +213,25 @@ void gpu_steps_mark(struct painting_gpu *gpu, struct rectangle cells, unsigned b
 /* Reads back: of the last tick. */
 struct painting_effort gpu_steps_effort(const struct painting_gpu *gpu);
 
-/* The other parts of the engine: each made, made anew (with an error the old programs stay) and destroyed (one that was
- * never made, or half, is taken too). */
 bool gpu_act_create(struct painting_gpu *gpu, struct shader_error *error);
-bool gpu_act_reload(struct painting_gpu *gpu, struct shader_error *error);
-void gpu_act_destroy(struct painting_gpu *gpu);
+void gpu_act_destroy(struct painting_gpu *gpu); /* takes one that has none, or half */
 /* As painting_act. */
 void gpu_act(struct painting_gpu *gpu, const struct action *action);
 /* The ground of some cells, of all of them, from the CPU's copy. */
 void gpu_act_upload(struct painting_gpu *gpu, struct rectangle cells);
 void gpu_act_upload_ground(struct painting_gpu *gpu);
 
-bool gpu_upkeep_create(struct painting_gpu *gpu, struct shader_error *error);
-bool gpu_upkeep_reload(struct painting_gpu *gpu, struct shader_error *error);
-void gpu_upkeep_destroy(struct painting_gpu *gpu);
-/* As painting_upkeep: every GPU_UPKEEP_TICKS ticks, at the end of one. Waits for nothing. */
+/* As painting_upkeep: every UPKEEP_TICKS ticks, at the end of one. Waits for nothing. */
 void gpu_upkeep_run(struct painting_gpu *gpu);
-enum { GPU_UPKEEP_TICKS = 64 };
 
-bool gpu_read_create(struct painting_gpu *gpu, struct shader_error *error);
-bool gpu_read_reload(struct painting_gpu *gpu, struct shader_error *error);
-void gpu_read_destroy(struct painting_gpu *gpu);
+bool gpu_rolling_create(struct painting_gpu *gpu, struct shader_error *error);
+void gpu_rolling_destroy(struct painting_gpu *gpu); /* takes one that has none */
+size_t gpu_rolling_bytes(const struct painting_gpu *gpu);
 /* Rows of the ground have changed: the rolling checkpoint keeps a copy of it. */
-void gpu_read_note_ground(struct painting_gpu *gpu, struct rectangle cells);
+void gpu_rolling_note_ground(struct painting_gpu *gpu, struct rectangle cells);
+
+/* The sum over all tiles of an array of floats (enum gpu_tile_array). Reads back. */
+double gpu_read_tile_sum(const struct painting_gpu *gpu, int array);
 /* As the functions of engine_ops of these names. */
 void gpu_read_field(struct painting_gpu *gpu, enum painting_field field, float *plane);
 struct painting_totals gpu_read_totals(struct painting_gpu *gpu);
@@ -217,12 +241,5 @@ bool gpu_load(struct painting_gpu *gpu, const struct checkpoint *checkpoint);
 bool gpu_save_patch(struct painting_gpu *gpu, struct patch *patch);
 bool gpu_load_patch(struct painting_gpu *gpu, const struct patch *patch);
 bool gpu_find_changed(struct painting_gpu *gpu, uint8_t *changed);
-
-/* Compute programs, one each of `parts`; all anew or, with an error, all as they were. Old ones are deleted. */
-struct gpu_program_part {
-    const char *name, *defines; /* as program_compute takes them */
-};
-bool gpu_make_programs(const struct painting_gpu *gpu, const struct gpu_program_part *parts, int count,
-                       unsigned *programs, struct shader_error *error);
 
 #endif

@@ -4,7 +4,6 @@
  * and moves 5 GB/s. A fluid step does 440 operations a cell and moves 196 bytes (bench_gpu.c counts them): 15 ms a
  * dispatch, of the 100 ms that it may take. A pass of four pattern steps on free ground does 350 operations: 12 ms; on
  * any ground about 1000, and 2000 where k is not 2: 67 ms. */
-#include <stdlib.h>
 #include <string.h>
 
 #include <GLES3/gl31.h>
@@ -17,57 +16,6 @@ enum {
     PATCH_STEPS = GPU_APRON, /* most pattern steps of a pass: what is wrong at its rim advances a cell a step */
     STRIP_STEPS = 2,         /* of a pass of pattern_strip.comp, always */
 };
-
-enum steps_program {
-    PROGRAM_WAKE,
-    PROGRAM_MARK,
-    PROGRAM_STIR,
-    PROGRAM_OPENNESS,
-    PROGRAM_FLUID,
-    PROGRAM_FLUID_STRIP,
-    PROGRAM_PLAIN,
-    PROGRAM_PLAIN_WHOLE,
-    PROGRAM_PATCH,
-    PROGRAM_PATCH_WHOLE,
-    PROGRAM_STRIP,
-    STEPS_PROGRAMS,
-};
-
-static const struct {
-    const char *source, *defines;
-} SOURCES[STEPS_PROGRAMS] = {
-    [PROGRAM_WAKE] = {"wake.comp", NULL},           [PROGRAM_MARK] = {"mark.comp", NULL},
-    [PROGRAM_STIR] = {"stir.comp", NULL},           [PROGRAM_OPENNESS] = {"openness.comp", NULL},
-    [PROGRAM_FLUID] = {"fluid.comp", NULL},         [PROGRAM_FLUID_STRIP] = {"fluid_strip.comp", NULL},
-    [PROGRAM_PLAIN] = {"pattern_plain.comp", NULL}, [PROGRAM_PLAIN_WHOLE] = {"pattern_plain.comp", "#define WHOLE"},
-    [PROGRAM_PATCH] = {"pattern.comp", NULL},       [PROGRAM_PATCH_WHOLE] = {"pattern.comp", "#define WHOLE"},
-    [PROGRAM_STRIP] = {"pattern_strip.comp", NULL},
-};
-
-struct gpu_steps {
-    unsigned programs[STEPS_PROGRAMS];
-    enum gpu_way way;
-};
-
-static void delete_programs(const unsigned programs[STEPS_PROGRAMS])
-{
-    for (int i = 0; i < STEPS_PROGRAMS; i++) {
-        glDeleteProgram(programs[i]);
-    }
-}
-
-static bool compile(const struct painting_gpu *gpu, unsigned programs[STEPS_PROGRAMS], struct shader_error *error)
-{
-    for (int i = 0; i < STEPS_PROGRAMS; i++) {
-        programs[i] = program_compute(&gpu->folder, SOURCES[i].source, SOURCES[i].defines, error);
-        if (!programs[i]) {
-            delete_programs(programs);
-            return false;
-        }
-        gpu_set_planes(gpu, programs[i]);
-    }
-    return true;
-}
 
 /* Whether GL runs on the processor: there shared memory costs two nanoseconds a word, and registers cost nothing. */
 static bool is_processor(void)
@@ -82,59 +30,19 @@ static bool is_processor(void)
     return false;
 }
 
-bool gpu_steps_create(struct painting_gpu *gpu, struct shader_error *error)
+enum gpu_way gpu_steps_way(void)
 {
-    unsigned programs[STEPS_PROGRAMS] = {0};
-    if (!compile(gpu, programs, error)) {
-        return false;
-    }
-    gpu->steps = calloc(1, sizeof *gpu->steps);
-    if (!gpu->steps) {
-        delete_programs(programs);
-        return shader_fail(error, "memory is short");
-    }
-    for (int i = 0; i < STEPS_PROGRAMS; i++) {
-        gpu->steps->programs[i] = programs[i];
-    }
-    gpu->steps->way = is_processor() ? GPU_STRIPS : GPU_PATCHES;
-    return true;
+    return is_processor() ? GPU_STRIPS : GPU_PATCHES;
 }
 
 void engine_gpu_set_way(struct engine *engine, enum gpu_way way)
 {
-    ((struct painting_gpu *)engine)->steps->way = way;
+    ((struct painting_gpu *)engine)->way = way;
 }
 
 enum gpu_way engine_gpu_way(const struct engine *engine)
 {
-    return ((const struct painting_gpu *)engine)->steps->way;
-}
-
-void gpu_steps_destroy(struct painting_gpu *gpu)
-{
-    if (gpu->steps) {
-        delete_programs(gpu->steps->programs);
-        free(gpu->steps);
-        gpu->steps = NULL;
-    }
-}
-
-bool gpu_steps_reload(struct painting_gpu *gpu, struct shader_error *error)
-{
-    unsigned programs[STEPS_PROGRAMS] = {0};
-    if (!compile(gpu, programs, error)) {
-        return false;
-    }
-    delete_programs(gpu->steps->programs);
-    for (int i = 0; i < STEPS_PROGRAMS; i++) {
-        gpu->steps->programs[i] = programs[i];
-    }
-    return true;
-}
-
-static void use(const struct painting_gpu *gpu, enum steps_program program)
-{
-    glUseProgram(gpu->steps->programs[program]);
+    return ((const struct painting_gpu *)engine)->way;
 }
 
 /* What one dispatch writes the next reads: planes, tiles, the arguments of dispatches. */
@@ -147,7 +55,7 @@ static void barrier(void)
 static void wake(const struct painting_gpu *gpu, const unsigned bits[3], enum gpu_tile_list list,
                  enum gpu_tile_list special, bool all_special)
 {
-    use(gpu, PROGRAM_WAKE);
+    gpu_use(gpu, PROGRAM_WAKE);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_TILES, gpu->tiles);
     glUniform4ui(2, bits[0], bits[1], bits[2], (gpu->def.dense ? 1u : 0u) | (all_special ? 2u : 0u));
     glUniform2i(3, (GLint)list, (GLint)special);
@@ -169,7 +77,7 @@ static void dispatch(const struct painting_gpu *gpu, enum gpu_tile_list list, in
 
 static void make_openness(const struct painting_gpu *gpu)
 {
-    use(gpu, PROGRAM_OPENNESS);
+    gpu_use(gpu, PROGRAM_OPENNESS);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_IN, gpu->pattern[gpu->pattern_now]);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_OUT, gpu->fluid[gpu->fluid_now]);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_SHEET, gpu->sheet);
@@ -189,7 +97,7 @@ void gpu_steps_flow(struct painting_gpu *gpu)
 {
     const struct coefficients *c = &gpu->def.coefficients;
     gpu_steps_open(gpu);
-    use(gpu, gpu->steps->way == GPU_STRIPS ? PROGRAM_FLUID_STRIP : PROGRAM_FLUID);
+    gpu_use(gpu, gpu->way == GPU_STRIPS ? PROGRAM_FLUID_STRIP : PROGRAM_FLUID);
     glUniform4f(3, c->omega, 1.0f / c->mu, c->gamma, c->delta);
     for (int step = 1; step <= c->fluid_steps; step++) {
         gpu_bind(gpu, BUFFER_FLUID);
@@ -199,13 +107,13 @@ void gpu_steps_flow(struct painting_gpu *gpu)
     }
 }
 
-static void set_pattern(const struct painting_gpu *gpu, enum steps_program program)
+static void set_pattern(const struct painting_gpu *gpu, enum gpu_program program)
 {
     const struct coefficients *c = &gpu->def.coefficients;
     float raw = c->stencil == STENCIL_RAW ? 1.0f / 6 : 1.0f;
     bool whole = c->stencil == STENCIL_NINE || c->stencil == STENCIL_RAW;
     float weight = whole ? 1.0f / 6 : c->stencil == STENCIL_FIVE ? 0.0f : -1.0f;
-    use(gpu, program);
+    gpu_use(gpu, program);
     glUniform4f(3, 1.0f - c->dt * c->beta_p, c->dt * c->beta_p, c->dt * c->beta_y, c->seam);
     glUniform4f(4, c->dt * UNIT_ALPHA_A * raw, c->dt * UNIT_BETA_A, c->dt * UNIT_ALPHA_Y * raw, c->delta);
     if (program == PROGRAM_PATCH_WHOLE || program == PROGRAM_PLAIN_WHOLE) {
@@ -216,7 +124,7 @@ static void set_pattern(const struct painting_gpu *gpu, enum steps_program progr
 /* One pass over free and special tiles. A strip makes two steps, no fewer. */
 static void pattern_pass(struct painting_gpu *gpu, int steps, bool last)
 {
-    enum gpu_way way = gpu->steps->way;
+    enum gpu_way way = gpu->way;
     bool plain = way == GPU_PLAIN, strips = way == GPU_STRIPS && steps == STRIP_STEPS;
     gpu_bind(gpu, BUFFER_PATTERN);
     set_pattern(gpu, plain ? PROGRAM_PLAIN : strips ? PROGRAM_STRIP : PROGRAM_PATCH);
@@ -233,7 +141,7 @@ void gpu_steps_grow(struct painting_gpu *gpu)
     static const int MOST[GPU_WAYS] = {
         [GPU_PLAIN] = PLAIN_STEPS, [GPU_PATCHES] = PATCH_STEPS, [GPU_STRIPS] = STRIP_STEPS};
     const struct coefficients *c = &gpu->def.coefficients;
-    int most = MOST[gpu->steps->way];
+    int most = MOST[gpu->way];
     wake(gpu, BITS, LIST_FREE, LIST_SPECIAL, c->stencil != STENCIL_ISOTROPIC || c->k != 2.0f);
     for (int left = c->pattern_steps; left > 0; left -= most) {
         pattern_pass(gpu, left < most ? left : most, left <= most);
@@ -264,7 +172,7 @@ static void mark(struct painting_gpu *gpu, struct rectangle cells, unsigned bits
         return;
     }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    use(gpu, PROGRAM_MARK);
+    gpu_use(gpu, PROGRAM_MARK);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_SHEET, gpu->sheet);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_TILES, gpu->tiles);
     glUniform2i(2, tiles.x0, tiles.y0);
@@ -281,7 +189,7 @@ void gpu_steps_mark(struct painting_gpu *gpu, struct rectangle cells, unsigned b
 /* As painting_stir: the painting is no longer quiet. */
 static void stir_up(struct painting_gpu *gpu)
 {
-    use(gpu, PROGRAM_STIR);
+    gpu_use(gpu, PROGRAM_STIR);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, BLOCK_TILES, gpu->tiles);
     glDispatchCompute(1, 1, 1);
     barrier();

@@ -32,11 +32,6 @@ layout(location = 4) uniform vec4 scales;  // of alpha_a, beta_a, alpha_y in the
 layout(location = 5) uniform vec4 stencil; // diagonal weight, < 0: of the map; of the catalyst; k; dt beta_v / 2
 #endif
 
-const float UNIT_XI = 1.0 / 16384.0;
-const float UNIT_S_MAX = 1.0 / 32768.0;
-const float UNIT_WEIGHT = 1.0 / 1020.0;
-const float UNIT_GUIDE = 1.0 / 8192.0;
-
 // Active pattern and catalyst at the rims of the patches: their upper and lower rows, left and right columns.
 const int ROWS = 0;        // the first and the last row; of the catalyst
 const int CATALYST_ROWS = 2;

@@ -3,8 +3,6 @@
 
 layout(location = 5) uniform vec4 stencil; // diagonal weight, < 0: of the map; of the catalyst; k; dt beta_v / 2
 
-const float UNIT_GUIDE = 1.0 / 8192.0;
-
 float raised(float a)
 {
     return stencil.z == 2.0 ? a * a : power(a, stencil.z);

@@ -2,10 +2,6 @@
 layout(location = 3) uniform vec4 growth; // 1 - dt beta_p, dt beta_p, dt beta_y, seam
 layout(location = 4) uniform vec4 scales; // of alpha_a, beta_a, alpha_y in their units, times dt; delta
 
-const float UNIT_XI = 1.0 / 16384.0;
-const float UNIT_S_MAX = 1.0 / 32768.0;
-const float UNIT_WEIGHT = 1.0 / 1020.0;
-
 struct Cell {
     float a, y, p;
 };

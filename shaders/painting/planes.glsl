@@ -22,6 +22,12 @@ const int DRY = 7;
 
 const float CLOSED = -4.0;
 
+// Units of the packed ground: sim/painting/kernel.h.
+const float UNIT_XI = 1.0 / 16384.0;
+const float UNIT_S_MAX = 1.0 / 32768.0;
+const float UNIT_WEIGHT = 1.0 / 1020.0;
+const float UNIT_GUIDE = 1.0 / 8192.0;
+
 layout(location = 0) uniform ivec4 planes; // width and height of the sheet, cells; stride, words; words of a plane
 
 int word_of(ivec2 cell)

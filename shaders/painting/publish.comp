@@ -23,8 +23,6 @@ layout(rgba32f, binding = 0) writeonly uniform highp image2D texels;
 
 layout(location = 2) uniform ivec3 visible; // width and height of what is seen, margin
 
-const float UNIT_GUIDE = 1.0 / 8192.0;
-
 float fluid_at(int plane, int word)
 {
     return fluid[plane * planes.w + word];

@@ -2,8 +2,6 @@
 #include "tiles.glsl"
 layout(local_size_x = 128) in;
 
-const uint CALM_PERIODS = 24u;
-
 void main()
 {
     bool calm = tiles[HEAD_QUIET] >= CALM_PERIODS;

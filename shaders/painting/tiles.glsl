@@ -23,6 +23,8 @@ const int HEAD_CARVED = 4;
 const int HEAD_DISPATCH = 20;
 const int HEAD_WORDS = HEAD_DISPATCH + LIST_COUNT * CHUNKS_MOST * 3;
 
+const uint CALM_PERIODS = 24u; // sim/painting/upkeep.h
+
 layout(location = 1) uniform ivec2 tile_counts; // columns and lines
 
 // Coherent: one invocation of a group reads what another has written (wake.comp).

@@ -6,6 +6,7 @@
 
 #include "dish_state.h"
 #include "gray_scott_classes.h"
+#include "hash.h"
 
 #define COMBED_BY 0.5f   /* anisotropy of v that a comb brings */
 #define STYLED_BY 0.006f /* kill rate that the light places of a style have more, if nothing is said */
@@ -295,47 +296,33 @@ bool dish_is_calm(const struct dish *dish)
     return !turns && !dish->starts && dish->sows == 0 && !dish->combed && (dish->fresh || dish->all_dry >= 1);
 }
 
-static uint64_t mix(uint64_t hash, const void *data, size_t size)
-{
-    const uint8_t *bytes = data;
-    for (size_t i = 0; i < size; i++) {
-        hash = (hash ^ bytes[i]) * UINT64_C(0x100000001b3); /* FNV-1a */
-    }
-    return hash;
-}
-
 static uint64_t dish_hash(const struct dish *dish)
 {
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    uint64_t hash = HASH_START;
     size_t width = (size_t)gray_scott_width(dish->chemistry);
     for (const struct key *key = dish_keys; key->name; key++) {
         float value = key_value(key, &dish->def);
-        hash = mix(hash, &value, sizeof value);
+        hash = hash_bytes(hash, &value, sizeof value);
     }
     for (int y = 0; y < gray_scott_height(dish->chemistry); y++) {
-        hash = mix(hash, gray_scott_u(dish->chemistry, y), width * sizeof(float));
-        hash = mix(hash, gray_scott_v(dish->chemistry, y), width * sizeof(float));
+        hash = hash_bytes(hash, gray_scott_u(dish->chemistry, y), width * sizeof(float));
+        hash = hash_bytes(hash, gray_scott_v(dish->chemistry, y), width * sizeof(float));
     }
     if (dish->map.values) {
         size_t count = (size_t)dish->map.width * (size_t)dish->map.height * (size_t)dish->map.channels;
-        hash = mix(hash, dish->map.values, count * sizeof(float));
+        hash = hash_bytes(hash, dish->map.values, count * sizeof(float));
     }
     if (dish->along) {
-        hash = mix(hash, dish->along, 2 * dish_cells(dish) * sizeof(float));
+        hash = hash_bytes(hash, dish->along, 2 * dish_cells(dish) * sizeof(float));
     }
     if (dish->dry) {
-        hash = mix(hash, dish->dry, dish_cells(dish) * sizeof(float));
+        hash = hash_bytes(hash, dish->dry, dish_cells(dish) * sizeof(float));
     }
     if (dish->sows > 0) {
-        hash = mix(hash, &dish->sows, sizeof dish->sows);
+        hash = hash_bytes(hash, &dish->sows, sizeof dish->sows);
     }
-    hash = mix(hash, &dish->all_dry, sizeof dish->all_dry);
-    return mix(hash, &dish->owed, sizeof dish->owed);
-}
-
-static bool takes(enum action_verb verb)
-{
-    return verb == ACTION_DOSE || verb == ACTION_REACT || verb == ACTION_STYLE;
+    hash = hash_bytes(hash, &dish->all_dry, sizeof dish->all_dry);
+    return hash_bytes(hash, &dish->owed, sizeof dish->owed);
 }
 
 static void *create(int width, int height)
@@ -396,11 +383,32 @@ static uint64_t hash(const void *scene)
 
 static const char *const PLANES[] = {"u", "v", NULL};
 
+static void initial_options(void *options)
+{
+    *(struct dish_def *)options = dish_default_def();
+}
+
+static void take_option(void *options, int key, float value)
+{
+    dish_take(options, key, value);
+}
+
+static const char *const BRINGS[] = {"preset", NULL};
+
+static bool is_calm(const void *scene, int64_t now)
+{
+    (void)now;
+    return dish_is_calm(scene);
+}
+
 const struct scene_type dish_type = {
-    .name = "chemistry",
+    .shows = SHOW_PATTERN,
     .options = dish_keys,
+    .brings = BRINGS,
     .sets = ACTION_REACT,
-    .takes = takes,
+    .begins = ACTION_DOSE,
+    .initial = initial_options,
+    .take = take_option,
     .create = create,
     .destroy = destroy,
     .resize = resize,
@@ -411,6 +419,7 @@ const struct scene_type dish_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .is_calm = is_calm,
     .planes = PLANES,
     .plane = plane,
     .figures = figures,

@@ -35,7 +35,7 @@ void dish_style(struct dish *dish, const struct action *action)
 
 struct washing {
     const struct dish *dish;
-    struct painting_def sheet;
+    struct canvas canvas;
     float strength;
     struct rinse rinse;
 };
@@ -43,14 +43,14 @@ struct washing {
 static float washed(void *context, int x, int y)
 {
     struct washing *washing = context;
-    int column = dish_nearest(x, gray_scott_width(washing->dish->chemistry), washing->sheet.width);
-    int row = dish_nearest(y, gray_scott_height(washing->dish->chemistry), washing->sheet.height);
+    int column = dish_nearest(x, gray_scott_width(washing->dish->chemistry), washing->canvas.width);
+    int row = dish_nearest(y, gray_scott_height(washing->dish->chemistry), washing->canvas.height);
     const struct rectangle *cells = &washing->rinse.cells;
     if (column < cells->x0 || column >= cells->x1 || row < cells->y0 || row >= cells->y1) {
         return 0;
     }
     float turn, phase = rinse_phase(&washing->rinse, column, row, &turn);
-    return phase >= RINSE_OVER ? 1 : phase > 0 ? rinse_shares(phase, washing->strength).thins : 0;
+    return rinse_takes(phase, washing->strength);
 }
 
 void dish_rinse(struct dish *dish, const struct action *action)
@@ -70,8 +70,8 @@ void dish_rinse(struct dish *dish, const struct action *action)
         return;
     }
     *washing = (struct washing){
-        .dish = dish, .sheet = {.width = dish->width, .height = dish->height}, .strength = action->strength};
-    rinse_begin(&washing->rinse, &washing->sheet, action);
+        .dish = dish, .canvas = {.width = dish->width, .height = dish->height}, .strength = action->strength};
+    rinse_begin(&washing->rinse, &washing->canvas, action);
     gray_scott_bring(dish->chemistry, dish_whole(dish), washed, washing, gray_scott_brush_state(CHEMISTRY_ERASE));
     free(washing);
 }

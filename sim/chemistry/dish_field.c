@@ -5,6 +5,7 @@
 #include "blur.h"
 #include "dish_state.h"
 #include "gray_scott_state.h"
+#include "rounded.h"
 
 void dish_sample(const float *plane, int columns, int rows, int width, int height, float *values)
 {
@@ -21,11 +22,6 @@ void dish_sample(const float *plane, int columns, int rows, int width, int heigh
 static void sample_own(const struct dish *dish, const float *plane, int width, int height, float *values)
 {
     dish_sample(plane, gray_scott_width(dish->chemistry), gray_scott_height(dish->chemistry), width, height, values);
-}
-
-static float rounded(float value)
-{
-    return nearbyintf(value * 65536) / 65536;
 }
 
 /* The gradient of v as a vector of twice its angle, whose length is its square: opposite slopes of a stripe agree. */

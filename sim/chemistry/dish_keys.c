@@ -1,48 +1,32 @@
 #include "dish.h"
+
 #include "gray_scott_classes.h"
 #include "gray_scott_rows.h"
+#include "key_fields.h"
 
 static const char *const STARTS[DISH_STARTS + 1] = {"preset", "nothing", "spots", "noise", NULL};
 
-#define NUMBER(field, from, to, first, what, text)                                                                     \
-    {                                                                                                                  \
-        .name = #field, .type = KEY_NUMBER, .unit = what, .min = from, .max = to, .initial = first,                    \
-        .offset = offsetof(struct dish_def, field), .meaning = text                                                    \
-    }
-#define CHOICE(field, names, first, text)                                                                              \
-    {                                                                                                                  \
-        .name = #field, .type = KEY_CHOICE, .unit = "", .initial = first, .choices = names,                            \
-        .offset = offsetof(struct dish_def, field), .meaning = text                                                    \
-    }
-#define FLAG(field, text)                                                                                              \
-    {                                                                                                                  \
-        .name = #field, .type = KEY_FLAG, .unit = "", .offset = offsetof(struct dish_def, field), .meaning = text      \
-    }
-#define GRAY_SCOTT_AT(field) offsetof(struct dish_def, reaction.field)
-
 enum { FINGERPRINT = 7, REEF = 1 };
+
+#define KEY_AT(field) offsetof(struct dish_def, field)
 
 const struct key dish_keys[] = {
     CHOICE(preset, gray_scott_preset_names, FINGERPRINT,
            "A kind of pattern: brings its feed and kill, and its start where nothing is yet."),
     CHOICE(start, STARTS, DISH_START_PRESET, "What a fresh dish is given when a preset is set."),
-    {.name = "steps",
-     .type = KEY_INTEGER,
-     .unit = "a tick",
-     .min = 1,
-     .max = 32,
-     .initial = 8,
-     .offset = offsetof(struct dish_def, steps),
-     .meaning = "How fast it goes: steps of the reaction."},
-    NUMBER(scale, 1, 8, 2, "cells of the sheet", "Side of a cell of the dish: 1 is finest, and slowest."),
+    WHOLE(steps, "a tick", 1, 32, 8, "How fast it goes: steps of the reaction."),
+    NUMBER(scale, "cells of the sheet", 1, 8, 2, "Side of a cell of the dish: 1 is finest, and slowest."),
     CHOICE(gradient, gradient_names, REEF, "The colours of v, from none to much."),
-    NUMBER(relief, 0, 60, 10, "cells", "Height of the pattern as a relief under light, for a concentration of 1."),
-    NUMBER(low, 0, 0.95, 0, "concentration of v", "Where the gradient begins."),
-    NUMBER(high, 0.05, 1, 0.4, "concentration of v", "Where the gradient ends."),
+    NUMBER(relief, "cells", 0, 60, 10, "Height of the pattern as a relief under light, for a concentration of 1."),
+    NUMBER(low, "concentration of v", 0, 0.95, 0, "Where the gradient begins."),
+    NUMBER(high, "concentration of v", 0.05, 1, 0.4, "Where the gradient ends."),
     FLAG(torus, "Shown around a torus that it lifts and that turns."),
-    NUMBER(turn, -30, 30, 1, "turns a minute", "How fast the torus turns."),
+    NUMBER(turn, "turns a minute", -30, 30, 1, "How fast the torus turns."),
     FLAG(clear, "The painting shows where there is no v."),
-    GRAY_SCOTT_ROWS{.name = NULL},
+#undef KEY_AT
+#define KEY_AT(field) offsetof(struct dish_def, reaction.field)
+    GRAY_SCOTT_ROWS,
+    END,
 };
 
 struct dish_def dish_default_def(void)

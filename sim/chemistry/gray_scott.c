@@ -10,24 +10,22 @@ enum { RING_ROWS = 4, CHEMICALS = 2 };
 /* Floats of one member: rows between steps, and the sums of a row. */
 #define MEMBER_FLOATS ((size_t)((CHEMISTRY_BLOCK - 1) * RING_ROWS * CHEMICALS + CHEMICALS) * CHEMISTRY_RING)
 
-static const struct gray_scott_kernels *choose_kernels(enum painting_vectors vectors)
+static const struct gray_scott_kernels *choose_kernels(enum vectors vectors)
 {
+    switch (vectors_here(vectors)) {
 #if defined(__x86_64__)
-    bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
-    if (wide && (vectors == VECTORS_BEST || vectors == VECTORS_AVX512)) {
+    case VECTORS_AVX512:
         return &gray_scott_kernels_avx512;
-    }
-    if (__builtin_cpu_supports("avx2") && vectors != VECTORS_NARROW) {
+    case VECTORS_AVX2:
         return &gray_scott_kernels_avx2;
-    }
 #endif
-    (void)vectors;
-    return &gray_scott_kernels_narrow;
+    default:
+        return &gray_scott_kernels_narrow;
+    }
 }
 
 struct gray_scott *gray_scott_create(int width, int height, const struct gray_scott_def *def, int threads,
-                                     enum painting_vectors vectors)
+                                     enum vectors vectors)
 {
     if (width < 1 || height < 1 || width > GRAY_SCOTT_SIZE_MAX || height > GRAY_SCOTT_SIZE_MAX) {
         return NULL;

@@ -11,8 +11,8 @@
 #include <stdint.h>
 
 #include "action.h"
-#include "painting.h"
 #include "rectangle.h"
+#include "vectors.h"
 
 enum { GRAY_SCOTT_SIZE_MAX = 8192 }; /* cells a side */
 
@@ -56,7 +56,7 @@ struct gray_scott;
 /* A sheet of u = 1, v = 0. `threads` 0: one for each processor. NULL when memory is short or a side is not within
  * 1..GRAY_SCOTT_SIZE_MAX. */
 struct gray_scott *gray_scott_create(int width, int height, const struct gray_scott_def *def, int threads,
-                                     enum painting_vectors vectors);
+                                     enum vectors vectors);
 void gray_scott_destroy(struct gray_scott *chemistry); /* takes NULL */
 
 /* Other parameters from now on, made legal. False when memory for maps is short: the old ones stay. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "blur.h"
+#include "rounded.h"
 
 static const float EDGE = 1.0f;        /* cells: sigma before slopes are taken */
 static const float TENSOR = 3.0f;      /* of the structure tensor, and of how near is near */
@@ -15,11 +16,6 @@ static const float BIRTHS = 2.0f;      /* cells: sigma of directions */
 static const float LEAST = 1.0f / 256; /* a tensor weaker than that is grain */
 
 enum { PLANES = 7 };
-
-static float rounded(float value)
-{
-    return nearbyintf(value * 65536) / 65536;
-}
 
 static float slope(const float *plane, int width, int height, int x, int y, bool down)
 {

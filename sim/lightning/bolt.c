@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "key_fields.h"
 #include "random.h"
 
 const char *const bolt_kind_names[BOLT_KINDS + 1] = {"lightning",   "tesla", "tree",     "lichen",  "coral",
@@ -25,36 +26,16 @@ const char *const bolt_kind_meanings[BOLT_KINDS] = {
 
 const char *const bolt_style_names[BOLT_STYLES + 1] = {"glow", "line", "body", NULL};
 
-#define LENGTH(field, most, text)                                                                                      \
-    {                                                                                                                  \
-        .name = #field, .type = KEY_NUMBER, .unit = "pixels", .min = 0, .max = most,                                   \
-        .offset = offsetof(struct bolt_look, field), .meaning = text                                                   \
-    }
-#define VALUE(field, least, most, what, text)                                                                          \
-    {                                                                                                                  \
-        .name = #field, .type = KEY_NUMBER, .unit = what, .min = least, .max = most,                                   \
-        .offset = offsetof(struct bolt_look, field), .meaning = text                                                   \
-    }
+#define KEY_AT(field) offsetof(struct bolt_look, field)
 
 const struct key bolt_look_keys[] = {
-    {.name = "style",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .choices = bolt_style_names,
-     .offset = offsetof(struct bolt_look, style),
-     .meaning = "Light that glows, lines on a ground, or lit bodies."},
-    LENGTH(trunk, 1000, "Radius where it is widest."),
-    LENGTH(tip, 200, "Radius at the tips."),
-    VALUE(pipe, 0.5, 10, "", "Radius to this power adds up where branches meet: 2 as trees do, 3 as vessels do."),
-    VALUE(leaves, 0, 1000, "particles", "A leaf at every so many particles of the twigs; 0: none."),
-    {.name = "smooth",
-     .type = KEY_INTEGER,
-     .unit = "times",
-     .min = 0,
-     .max = 100,
-     .offset = offsetof(struct bolt_look, smooth),
-     .meaning = "How often branches are evened out along themselves."},
-    {.name = NULL},
+    CHOICE(style, bolt_style_names, BOLT_GLOW, "Light that glows, lines on a ground, or lit bodies."),
+    NUMBER(trunk, "pixels", 0, 1000, 0, "Radius where it is widest."),
+    NUMBER(tip, "pixels", 0, 200, 0, "Radius at the tips."),
+    NUMBER(pipe, "", 0.5, 10, 0, "Radius to this power adds up where branches meet: 2 as trees do, 3 as vessels do."),
+    NUMBER(leaves, "particles", 0, 1000, 0, "A leaf at every so many particles of the twigs; 0: none."),
+    WHOLE(smooth, "times", 0, 100, 0, "How often branches are evened out along themselves."),
+    END,
 };
 
 /* How a kind grows, in a line. */

@@ -6,22 +6,23 @@
 
 #include "laplacian_boundary.h"
 #include "laplacian_state.h"
+#include "vectors.h"
 
 static const float OFF_GRID_SPACING = 0.7f;
 enum { QUICK_FROM = 3000 /* candidates from which the fast method is quicker */ };
 
 const struct laplacian_kernels *laplacian_kernels_best(void)
 {
+    switch (vectors_here(VECTORS_BEST)) {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512dq")) {
+    case VECTORS_AVX512:
         return &laplacian_kernels_avx512;
-    }
-    if (__builtin_cpu_supports("avx2")) {
+    case VECTORS_AVX2:
         return &laplacian_kernels_avx2;
-    }
 #endif
-    return &laplacian_kernels_narrow;
+    default:
+        return &laplacian_kernels_narrow;
+    }
 }
 
 static bool are_finite(const float *values, int count)
@@ -39,20 +40,10 @@ static bool is_good_raster(const struct action_raster *raster)
     return !raster->values || (raster->width > 0 && raster->height > 0);
 }
 
-/* Every number within the range of its key. */
 static bool is_good(const struct laplacian_def *def)
 {
-    for (const struct key *key = laplacian_keys; key->name; key++) {
-        const char *at = (const char *)def + key->offset;
-        int whole;
-        float number;
-        memcpy(&whole, at, sizeof whole);
-        memcpy(&number, at, sizeof number);
-        if ((key->type == KEY_NUMBER && !((double)number >= key->min && (double)number <= key->max)) ||
-            (key->type == KEY_INTEGER && (whole < (int)key->min || whole > (int)key->max)) ||
-            (key->type == KEY_CHOICE && (whole < 0 || whole >= LAPLACIAN_METHODS))) {
-            return false;
-        }
+    if (!keys_are_legal(laplacian_keys, def)) {
+        return false;
     }
     if (!is_good_raster(&def->mask) || !is_good_raster(&def->eta_map) || !is_good_raster(&def->outline) ||
         !is_good_raster(&def->environment) || !is_good_raster(&def->background) ||

@@ -14,21 +14,10 @@ static bool are_finite(const float values[3])
     return isfinite(values[0]) && isfinite(values[1]) && isfinite(values[2]);
 }
 
-/* Every number within the range of its key. */
 static bool is_good(const struct lsystem_def *def)
 {
-    for (const struct key *key = lsystem_keys; key->name; key++) {
-        const char *at = (const char *)def + key->offset;
-        int whole;
-        float number;
-        memcpy(&whole, at, sizeof whole);
-        memcpy(&number, at, sizeof number);
-        if ((key->type == KEY_NUMBER && !(number >= (float)key->min && number <= (float)key->max)) ||
-            (key->type == KEY_INTEGER && (whole < (int)key->min || whole > (int)key->max))) {
-            return false;
-        }
-    }
-    if (def->environment.values && (def->environment.width < 1 || def->environment.height < 1)) {
+    if (!keys_are_legal(lsystem_keys, def) ||
+        (def->environment.values && (def->environment.width < 1 || def->environment.height < 1))) {
         return false;
     }
     for (int i = 0; i < def->charge_count; i++) {

@@ -177,11 +177,6 @@ bool storm_is_calm(const struct storm *storm, int64_t tick)
     return calm && !turns && !flashes && !storm->strokes_changed;
 }
 
-static bool takes(enum action_verb verb)
-{
-    return verb == ACTION_STRIKE || verb == ACTION_ATTRACT || verb == ACTION_CONDUCT;
-}
-
 static void *create(int width, int height)
 {
     return storm_create(width, height);
@@ -242,11 +237,31 @@ static int figures(const void *scene, struct scene_figure *all)
     return storm_figures(scene, all);
 }
 
+static void initial_options(void *options)
+{
+    *(struct storm_def *)options = storm_preset(BOLT_LIGHTNING);
+}
+
+static void take_option(void *options, int key, float value)
+{
+    storm_take(options, key, value);
+}
+
+static const char *const BRINGS[] = {"kind", NULL};
+
+static bool is_calm(const void *scene, int64_t now)
+{
+    return storm_is_calm(scene, now);
+}
+
 const struct scene_type storm_type = {
-    .name = "lightning",
+    .shows = SHOW_BOLTS,
     .options = storm_keys,
+    .brings = BRINGS,
     .sets = ACTION_CONDUCT,
-    .takes = takes,
+    .begins = ACTION_STRIKE,
+    .initial = initial_options,
+    .take = take_option,
     .create = create,
     .destroy = destroy,
     .resize = resize,
@@ -257,5 +272,6 @@ const struct scene_type storm_type = {
     .lay = lay,
     .field = field,
     .hash = hash,
+    .is_calm = is_calm,
     .figures = figures,
 };

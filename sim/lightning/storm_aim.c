@@ -60,19 +60,21 @@ static bool choose_cloud(const struct storm *storm, struct point hand, struct po
 static int find_outline(const struct storm *storm, const struct action *action, const struct aim *aim,
                         struct laplacian_seed *seeds, int most)
 {
-    const struct painting_def sheet = {.width = storm->mask_columns, .height = storm->mask_rows};
-    struct region region = region_of(&sheet, action);
+    const struct canvas canvas = {.width = storm->mask_columns, .height = storm->mask_rows};
+    struct region region = region_of(&canvas, action);
     int found = 0, count = 0, each = 1;
     for (int pass = 0; pass < 2; pass++) {
         found = 0;
-        for (int y = 0; y < sheet.height; y++) {
-            for (int x = 0; x < sheet.width; x++) {
-                bool edge = region_holds(&region, x, y) && ((x > 0 && !region_holds(&region, x - 1, y)) ||
-                                                            (x + 1 < sheet.width && !region_holds(&region, x + 1, y)) ||
-                                                            (y > 0 && !region_holds(&region, x, y - 1)) ||
-                                                            (y + 1 < sheet.height && !region_holds(&region, x, y + 1)));
+        for (int y = 0; y < canvas.height; y++) {
+            for (int x = 0; x < canvas.width; x++) {
+                bool edge =
+                    region_holds(&region, x, y) && ((x > 0 && !region_holds(&region, x - 1, y)) ||
+                                                    (x + 1 < canvas.width && !region_holds(&region, x + 1, y)) ||
+                                                    (y > 0 && !region_holds(&region, x, y - 1)) ||
+                                                    (y + 1 < canvas.height && !region_holds(&region, x, y + 1)));
                 if (edge && pass == 1 && found % each == 0 && count < most) {
-                    struct point at = {((float)x + 0.5f) / (float)sheet.width, ((float)y + 0.5f) / (float)sheet.height};
+                    struct point at = {((float)x + 0.5f) / (float)canvas.width,
+                                       ((float)y + 0.5f) / (float)canvas.height};
                     to_growth(aim, at, seeds[count].from);
                     to_growth(aim, at, seeds[count].to);
                     count++;

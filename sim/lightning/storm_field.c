@@ -5,15 +5,12 @@
 
 #include "along.h"
 #include "distance.h"
+#include "hash.h"
+#include "rounded.h"
 #include "storm_state.h"
 
 enum { BACK = 5 };                /* particles that a direction is taken over */
 static const float REACH = 0.02f; /* of the longer side: how far from a branch its direction is told */
-
-static float rounded(float value)
-{
-    return floorf(value * 65536 + 0.5f) / 65536;
-}
 
 /* It has grown, and neither water nor a visitor has taken it back; whether it has faded does not matter. */
 static bool is_there(const struct storm *storm, int i)
@@ -215,30 +212,22 @@ bool storm_field(const struct storm *storm, enum scene_field which, int width, i
     return true;
 }
 
-static uint64_t hash(uint64_t so_far, int64_t value)
-{
-    for (int i = 0; i < 8; i++) {
-        so_far = (so_far ^ ((uint64_t)value >> 8 * i & 0xff)) * UINT64_C(1099511628211);
-    }
-    return so_far;
-}
-
 uint64_t storm_hash(const struct storm *storm)
 {
-    uint64_t found = UINT64_C(14695981039346656037);
+    uint64_t found = HASH_START;
     for (int i = 0; i < storm->count; i++) {
         const struct bolt_segment *segment = &storm->segments[i];
         for (int d = 0; d < 3; d++) {
-            found = hash(found, (int64_t)floorf(segment->to[d] * 64));
+            found = hash_number(found, (int64_t)floorf(segment->to[d] * 64));
         }
-        found = hash(found, (int64_t)floorf(segment->radius * 256));
-        found = hash(found, (int64_t)floorf(segment->heat * 256));
-        found = hash(found, (int64_t)floorf(segment->birth));
-        found = hash(found, segment->death < 1e9f ? (int64_t)floorf(segment->death) : -1);
+        found = hash_number(found, (int64_t)floorf(segment->radius * 256));
+        found = hash_number(found, (int64_t)floorf(segment->heat * 256));
+        found = hash_number(found, (int64_t)floorf(segment->birth));
+        found = hash_number(found, segment->death < 1e9f ? (int64_t)floorf(segment->death) : -1);
     }
     for (int i = 0; i < storm->mask_columns * storm->mask_rows; i++) {
-        found = storm->mask[i] < 0.5f ? hash(found, i) : found;
+        found = storm->mask[i] < 0.5f ? hash_number(found, i) : found;
     }
-    found = hash(found, storm->origin);
-    return hash(hash(found, storm->def.kind), (int64_t)storm_particles(storm));
+    found = hash_number(found, storm->origin);
+    return hash_number(hash_number(found, storm->def.kind), (int64_t)storm_particles(storm));
 }

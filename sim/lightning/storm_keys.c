@@ -2,24 +2,13 @@
 
 #include "storm.h"
 
-#define NUMBER(field, what, from, to, start, text)                                                                     \
-    {                                                                                                                  \
-        .name = #field, .type = KEY_NUMBER, .unit = what, .min = from, .max = to, .initial = start,                    \
-        .offset = offsetof(struct storm_def, field), .meaning = text                                                   \
-    }
-#define WHOLE(field, what, from, to, start, text)                                                                      \
-    {                                                                                                                  \
-        .name = #field, .type = KEY_INTEGER, .unit = what, .min = from, .max = to, .initial = start,                   \
-        .offset = offsetof(struct storm_def, field), .meaning = text                                                   \
-    }
+#include "key_fields.h"
+
+#define KEY_AT(field) offsetof(struct storm_def, field)
 
 const struct key storm_keys[] = {
-    {.name = "kind",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .choices = bolt_kind_names,
-     .offset = offsetof(struct storm_def, kind),
-     .meaning = "What grows; another brings its own values of all others but the seed."},
+    CHOICE(kind, bolt_kind_names, BOLT_LIGHTNING,
+           "What grows; another brings its own values of all others but the seed."),
     NUMBER(eta, "", 0, 20, 8, "How much growth prefers what stands out: 0 a round lump, 10 almost a line."),
     WHOLE(particles, "", 10, STORM_PARTICLES, 8000, "A bolt is complete with so many."),
     NUMBER(pace, "particles a tick", 0.05, 1000, 45, "How quickly a bolt grows, while the machine can follow."),
@@ -29,13 +18,9 @@ const struct key storm_keys[] = {
     NUMBER(turn, "turns a minute", -20, 20, 0, "How quickly it turns, in three dimensions."),
     NUMBER(repel, "", -4, 16, 0.5,
            "Charge of a particle of another bolt, of one of its own: above 0 they keep clear of each other."),
-    {.name = "clear",
-     .type = KEY_FLAG,
-     .unit = "",
-     .offset = offsetof(struct storm_def, clear),
-     .meaning = "The painting shows behind it, instead of a ground of its own."},
+    FLAG(clear, "The painting shows behind it, instead of a ground of its own."),
     WHOLE(seed, "", 0, 2147483647, 1, "Another number, another chance."),
-    {.name = NULL},
+    END,
 };
 
 /* What a visit can wait for, and what is apart from `frond bolt`, where one growth has the whole sheet. */

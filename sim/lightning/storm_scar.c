@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "rinse.h"
+#include "rounded.h"
 #include "storm_state.h"
 
 static size_t cells_of(const struct storm *storm)
@@ -33,8 +34,7 @@ void storm_scar_wash(struct storm *storm, const float *phases, float strength)
 {
     for (size_t i = 0; i < cells_of(storm); i++) {
         if (phases[i] > 0 && storm->scar[i] > 0) {
-            float left = phases[i] >= RINSE_OVER ? 0 : 1 - rinse_shares(phases[i], strength).thins;
-            storm->scar[i] = (uint8_t)((float)storm->scar[i] * left);
+            storm->scar[i] = (uint8_t)((float)storm->scar[i] * (1 - rinse_takes(phases[i], strength)));
         }
     }
 }
@@ -67,8 +67,7 @@ void storm_scar_lay(const struct storm *storm, int width, int height, float *val
                 }
             }
             float dark = (float)(255 - most) / 255, *here = &values[(size_t)y * (size_t)width + (size_t)x];
-            dark = (float)(int)(dark * 65536 + 0.5f) / 65536;
-            *here = dark < *here ? dark : *here;
+            *here = dark < *here ? rounded(dark) : *here;
         }
     }
 }

@@ -25,7 +25,7 @@ static void wash_bolt(struct storm *storm, struct storm_bolt *bolt, const float 
         struct storm_node *node = &bolt->nodes[i];
         float phase = node->left > 0 ? phases[cell_of(storm, bolt, node)] : 0;
         if (phase > 0) {
-            node->left *= phase >= RINSE_OVER ? 0 : 1 - rinse_shares(phase, strength).thins;
+            node->left *= 1 - rinse_takes(phase, strength);
             node->left = node->left < LAST ? 0 : node->left;
             touched = true;
             if (node->left <= 0 && node->segment >= 0) {
@@ -47,23 +47,23 @@ static void wash_bolt(struct storm *storm, struct storm_bolt *bolt, const float 
 
 void storm_rinse(struct storm *storm, const struct action *action)
 {
-    const struct painting_def sheet = {.width = storm->mask_columns, .height = storm->mask_rows};
+    const struct canvas canvas = {.width = storm->mask_columns, .height = storm->mask_rows};
     struct action scaled = *action;
     struct rinse rinse;
     if (!action->has_at && action->path.count == 0) {
         return;
     }
-    float *phases = calloc((size_t)sheet.width * (size_t)sheet.height, sizeof *phases);
+    float *phases = calloc((size_t)canvas.width * (size_t)canvas.height, sizeof *phases);
     if (!phases) {
         storm->failed = true;
         return;
     }
-    scaled.radius *= (float)sheet.width / (float)storm->width;
-    rinse_begin(&rinse, &sheet, &scaled);
+    scaled.radius *= (float)canvas.width / (float)storm->width;
+    rinse_begin(&rinse, &canvas, &scaled);
     for (int y = rinse.cells.y0; y < rinse.cells.y1; y++) {
         for (int x = rinse.cells.x0; x < rinse.cells.x1; x++) {
             float turn;
-            phases[y * sheet.width + x] = rinse_phase(&rinse, x, y, &turn);
+            phases[y * canvas.width + x] = rinse_phase(&rinse, x, y, &turn);
         }
     }
     for (int slot = 0; slot < STORM_SLOTS; slot++) {
@@ -77,23 +77,23 @@ void storm_rinse(struct storm *storm, const struct action *action)
 
 void storm_mask(struct storm *storm, const struct action *action)
 {
-    const struct painting_def sheet = {.width = storm->mask_columns, .height = storm->mask_rows};
+    const struct canvas canvas = {.width = storm->mask_columns, .height = storm->mask_rows};
     bool laid = action->has_at || region_is_laid(action);
     if (action->verb == ACTION_MASK && !laid) {
         return; /* there is no place; a mask taken away without one is all of it */
     }
     struct action scaled = *action;
     struct point points[STORM_POINTS];
-    scaled.radius *= (float)sheet.width / (float)storm->width;
+    scaled.radius *= (float)canvas.width / (float)storm->width;
     for (int i = 0; i < STORM_POINTS && action->path.count > STORM_POINTS; i++) {
         points[i] = action->path.points[(int64_t)i * (action->path.count - 1) / (STORM_POINTS - 1)];
         scaled.path = (struct action_path){points, STORM_POINTS};
     }
-    struct region region = region_of(&sheet, &scaled);
+    struct region region = region_of(&canvas, &scaled);
     for (int y = region.cells.y0; y < region.cells.y1; y++) {
         for (int x = region.cells.x0; x < region.cells.x1; x++) {
             if (region_holds(&region, x, y)) {
-                storm->mask[y * sheet.width + x] = action->verb == ACTION_MASK ? 0 : 1;
+                storm->mask[y * canvas.width + x] = action->verb == ACTION_MASK ? 0 : 1;
             }
         }
     }

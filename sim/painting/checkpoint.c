@@ -38,6 +38,5 @@ void checkpoint_finish(struct checkpoint *checkpoint)
 
 bool checkpoint_fits(const struct checkpoint *checkpoint, const struct painting_def *def)
 {
-    return checkpoint->planes && checkpoint->def.width == def->width && checkpoint->def.height == def->height &&
-           checkpoint->def.margin == def->margin;
+    return checkpoint->planes && canvas_is_like(painting_canvas(&checkpoint->def), painting_canvas(def));
 }

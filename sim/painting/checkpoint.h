@@ -9,9 +9,9 @@
 
 /* Planes of floats, each width * height, row by row from the top left, margin included. */
 enum checkpoint_plane {
-    CHECKPOINT_SOLVENT,                                  /* + i: population i, 0..8, in the order of kernel.h */
-    CHECKPOINT_INK = CHECKPOINT_SOLVENT + 9,             /* + i: population i */
-    CHECKPOINT_WET = CHECKPOINT_INK + 9,                 /* + ink: wet pigment */
+    CHECKPOINT_SOLVENT,                                  /* + i: population i, 0..8 (d2q9.h) */
+    CHECKPOINT_INK = CHECKPOINT_SOLVENT + POPULATIONS,   /* + i: population i */
+    CHECKPOINT_WET = CHECKPOINT_INK + POPULATIONS,       /* + ink: wet pigment */
     CHECKPOINT_ACTIVE = CHECKPOINT_WET + PAINTING_INKS,  /* rho_a */
     CHECKPOINT_CATALYST,                                 /* rho_y */
     CHECKPOINT_CARVED,                                   /* rho_p */

@@ -1,21 +1,11 @@
 #include "coefficients.h"
 
+#include "key_fields.h"
+
 static const char *const STENCILS[] = {"isotropic", "nine", "five", "raw", NULL};
 static const char *const NOISES[] = {"uniform", "smooth", "lognormal", NULL};
 
-#define AT(field) offsetof(struct coefficients, field)
-#define NUMBER(field, unit, min, max, def, text)                                                                       \
-    {                                                                                                                  \
-#field, KEY_NUMBER, unit, min, max, def, NULL, AT(field), false, text                                          \
-    }
-#define WHOLE(field, unit, min, max, def, text)                                                                        \
-    {                                                                                                                  \
-#field, KEY_INTEGER, unit, min, max, def, NULL, AT(field), false, text                                         \
-    }
-#define CHOICE(field, list, def, text)                                                                                 \
-    {                                                                                                                  \
-#field, KEY_CHOICE, "", 0, 0, def, list, AT(field), false, text                                                \
-    }
+#define KEY_AT(field) offsetof(struct coefficients, field)
 
 const struct key coefficient_keys[] = {
     NUMBER(alpha_a, "cells^2 per unit of time", 0.01, 1, 0.25,
@@ -48,7 +38,7 @@ const struct key coefficient_keys[] = {
     NUMBER(rewetting, "share per tick", 0, 0.01, 0.005, "How fast solvent loosens dry pigment."),
     NUMBER(evaporation, "density per tick", 0, 0.01, 5e-4,
            "Solvent that leaves a cell once the painting has settled; 0 is never."),
-    {.name = NULL},
+    END,
 };
 
 struct coefficients coefficients_default(void)

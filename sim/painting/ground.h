@@ -8,6 +8,7 @@
 #include "kernel.h"
 #include "painting.h"
 #include "rectangle.h"
+#include "region.h"
 
 enum { GROUND_SIDE = 16, GROUND_NEVER_STAMPED = 65535 };
 
@@ -60,7 +61,10 @@ bool ground_is_special(const struct ground *ground, struct rectangle cells);
 /* Noise of a cell in units of its map, as ground_fill makes it from the coefficients of now. */
 uint16_t ground_fresh_xi(const struct ground *ground, int x, int y);
 
-/* ground_coefficients.c, for ground_act: brushes and the `set` action. */
+/* For verbs (painting_verb.h). Does something to each cell within the bounds of the action's region; returns those. */
+struct rectangle ground_each_cell(struct ground *ground, const struct action *action,
+                                  void (*act)(struct ground *, const struct region *, int x, int y));
+/* The same, ground_coefficients.c: a brush on the ground around a cell, `reach` cells far, and the `set` action. */
 struct rectangle ground_stamp(struct ground *ground, int x, int y, int brush, float reach);
 struct rectangle ground_set(struct ground *ground, const struct action *action);
 

@@ -6,6 +6,7 @@
 #include "ground.h"
 #include "noise.h"
 #include "region.h"
+#include "xi.h"
 
 #define STAMP_UNIT (1.0f / 16)
 
@@ -55,7 +56,7 @@ static void write_local(const struct ground *ground, int x, int y, const struct 
 static float xi_at(const struct ground *ground, int x, int y, float xi0, int noise)
 {
     int margin = ground->def.margin;
-    return noise_xi(x - margin, y - margin, xi0, (enum noise_kind)noise, ground->def.seed);
+    return xi_of(x - margin, y - margin, xi0, (enum noise_kind)noise, ground->def.seed);
 }
 
 static float vary_at(const struct ground *ground, int x, int y, float size, enum random_stream stream)
@@ -249,7 +250,7 @@ static float value_for(const struct ground *ground, const struct action *action,
     float value = action->value;
     *share = 1.0f;
     if (raster->values) {
-        float t = region_sample(&ground->def, raster, 0, x, y);
+        float t = region_sample(&disc->canvas, raster, 0, x, y);
         value += (t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t) * (action->to - action->value);
     }
     if (action->vary > 0.0f) {
@@ -269,7 +270,8 @@ struct rectangle ground_set(struct ground *ground, const struct action *action)
     const struct key *key = &coefficient_keys[action->coefficient];
     struct action place = *action; /* only a disc bounds it: a raster gives values, not a region */
     place.formula = place.picture = (struct action_raster){0};
-    struct region disc = region_of(&ground->def, &place);
+    struct canvas canvas = painting_canvas(&ground->def);
+    struct region disc = region_of(&canvas, &place);
     if (disc.kind == REGION_ALL) {
         set_everywhere(ground, key, in_range(key, action->value));
     }

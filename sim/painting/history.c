@@ -60,8 +60,7 @@ void history_destroy(struct history *history)
 
 bool history_fits(const struct history *history, const struct painting_def *painting)
 {
-    const struct painting_def *own = &history->painting;
-    return own->width == painting->width && own->height == painting->height && own->margin == painting->margin;
+    return canvas_is_like(painting_canvas(&history->painting), painting_canvas(painting));
 }
 
 void history_forget(struct history *history)

@@ -5,6 +5,7 @@
 
 #include "brush.h"
 #include "history_state.h"
+#include "painting_verb.h"
 
 enum { LATEST = 16 }; /* marks of a group that a stroke may go on from */
 #define APART 12.0f   /* cells between them, edge to edge, at most */
@@ -28,31 +29,21 @@ static struct point on_sheet(struct point at)
     return (struct point){at.x <= 1.0f ? at.x : 1.0f, at.y <= 1.0f ? at.y : 1.0f};
 }
 
-static enum mark_kind kind_of(enum action_verb verb)
+/* Whether it begins at a point: a stroke of such a verb is never a part of the one before. */
+static bool is_press(const struct action *action)
 {
-    switch (verb) {
-    case ACTION_DRAW:
-    case ACTION_DRY:
-    case ACTION_REWIND:
-        return MARK_STILL;
-    case ACTION_GUIDE:
-    case ACTION_MASK:
-    case ACTION_UNMASK:
-    case ACTION_SET:
-        return MARK_GROUND;
-    default:
-        return MARK_GROWS;
-    }
+    const struct key *at = verbs[action->verb]->painting ? key_find(action_keys(action->verb), "at") : NULL;
+    return at && at->required;
 }
 
 int history_marks_of(const struct history *history, const struct action *action, struct mark *marks)
 {
     const struct action_path *path = &action->path;
-    bool point = action->verb == ACTION_DROP || action->verb == ACTION_POUR || action->has_at,
-         by_path = path->count > 0;
+    const struct painting_verb *verb = verbs[action->verb]->painting;
+    bool point = is_press(action) || action->has_at, by_path = path->count > 0;
     bool whole = action->invert || (!by_path && (action->formula.values || action->picture.values));
     int count = 0;
-    if (whole || (!point && !by_path) || action->verb == ACTION_RINSE) { /* a wash is for everybody */
+    if (whole || (!point && !by_path) || (verb && verb->common)) {
         return 0;
     }
     if (by_path && key_find(action_keys(action->verb), "path")) {
@@ -69,7 +60,7 @@ int history_marks_of(const struct history *history, const struct action *action,
         }
     }
     for (int i = 0; i < count; i++) {
-        marks[i].kind = kind_of(action->verb);
+        marks[i].kind = verb ? verb->mark : MARK_GROWS;
     }
     return count;
 }
@@ -155,7 +146,7 @@ static bool goes_on(const struct history *history, const struct group *group, co
 static struct group *find_open(struct history *history, const struct action *action, const struct mark *marks,
                                uint32_t moment)
 {
-    bool press = action->verb == ACTION_DROP || action->verb == ACTION_POUR;
+    bool press = is_press(action);
     for (int i = 0; i < HISTORY_GROUPS; i++) {
         struct group *group = &history->groups[i];
         bool open = group->state == GROUP_DONE && group->visitor == action->visitor &&

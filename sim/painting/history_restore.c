@@ -1,7 +1,5 @@
 #include "history_restore.h"
 
-#include "deposit.h"
-
 /* Under an obstacle that stays nothing changes: liquid would be caught there. */
 static void spare_obstacles(const struct history *history, int tile, struct plan *plan)
 {
@@ -71,8 +69,8 @@ static void sharpen(const struct history *history, int tile, const struct tile_v
     for (int cell = 0; cell < TILE_CELLS; cell++) {
         int x = left + cell % TILE, y = cell / TILE, at = y * columns + x;
         bool outside = x >= columns || y >= rows;
-        bool was = values->planes[CODE_ACTIVE][cell] + values->planes[CODE_CARVED][cell] > DEPOSIT_CARVED;
-        bool is = !outside && active[at] + carved[at] > DEPOSIT_CARVED;
+        bool was = values->planes[CODE_ACTIVE][cell] + values->planes[CODE_CARVED][cell] > CARVED_DEPTH;
+        bool is = !outside && active[at] + carved[at] > CARVED_DEPTH;
         sharp[cell] = was && is ? share[cell] : share[cell] >= 0.5f ? 1.0f : 0.0f;
     }
 }

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "deposit.h"
 #include "history_restore.h"
 
 #define SPEED       0.15f /* cells a tick that growth goes on by, about */
@@ -136,7 +135,7 @@ static void carved_then(const struct history *history, const struct group *group
         for (int cell = 0; cell < TILE_CELLS; cell++) {
             float depth =
                 tile_code_number(code.planes[CODE_ACTIVE][cell]) + tile_code_number(code.planes[CODE_CARVED][cell]);
-            carved[cell] = depth > DEPOSIT_CARVED;
+            carved[cell] = depth > CARVED_DEPTH;
         }
     }
 }
@@ -155,7 +154,7 @@ static void find_since(const struct history *history, const struct group *group,
         for (int cell = 0; cell < TILE_CELLS; cell++) {
             int x = cells.x0 + cell % TILE, y = cell / TILE;
             float depth = tile_code_number(active[cell]) + tile_code_number(carved[cell]);
-            if (x < cells.x1 && y < cells.y1 && depth > DEPOSIT_CARVED && since[y * cells.x1 + x] == NEVER) {
+            if (x < cells.x1 && y < cells.y1 && depth > CARVED_DEPTH && since[y * cells.x1 + x] == NEVER) {
                 since[y * cells.x1 + x] = past_moment(history->past, version);
             }
         }
@@ -176,7 +175,7 @@ static bool find_carved_line(struct history *history, struct engine *engine, con
     uint8_t *to = territory->carved + (size_t)(line * TILE - box.y0) * (size_t)width;
     int rows = box.y1 - line * TILE < TILE ? box.y1 - line * TILE : TILE;
     for (int i = 0; i < width * rows; i++) {
-        to[i] = active[i] + carved[i] > DEPOSIT_CARVED ? TERRITORY_IS : 0;
+        to[i] = active[i] + carved[i] > CARVED_DEPTH ? TERRITORY_IS : 0;
     }
     uint32_t *since = territory->since + (size_t)(line * TILE - box.y0) * (size_t)width;
     for (int x = box.x0; x < box.x1; x += TILE) {

@@ -155,7 +155,7 @@ static void fluid_last(const struct fluid_row *row)
 
 /* Openness of the two fluids: 1 - kappa with kappa_s = rho_y (section 4.2), and for the ink 4 (rho_a + rho_p - 0.1),
  * since branches are only .3 to .7 deep and eq. 13 would keep ink blocked (departure). */
-#define INK_OPENNESS(depth) (4.0f * ((depth)-0.1f))
+#define INK_OPENNESS(depth) (4.0f * ((depth)-CARVED_DEPTH))
 
 static void open(const struct open_row *row)
 {

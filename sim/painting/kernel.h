@@ -8,6 +8,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "d2q9.h"
+
 enum {
     RING = 800,       /* floats a row of a ring: 16 + 16 + 736 + 16 and room, and not a power of two */
     RING_LEAD = 16,   /* floats before the first cell */
@@ -16,11 +18,11 @@ enum {
     INKS = 4,
 };
 
-/* Fields of a row of the fluids, in the order of memory. Directions: rest, +x, +y, -x, -y, then the diagonals. */
+/* Fields of a row of the fluids, in the order of memory: populations of solvent and of ink, pigment. */
 enum {
     FLUID_SOLVENT = 0,
-    FLUID_INK = 9,
-    FLUID_WET = 18,
+    FLUID_INK = POPULATIONS,
+    FLUID_WET = 2 * POPULATIONS,
     FLUID_FIELDS = FLUID_WET + INKS,
 };
 
@@ -123,6 +125,9 @@ struct kernels {
     void (*fluid_end)(const float *density, float *stored, const uint16_t *s_max, int32_t *changed, int begin, int end,
                       float delta);
 };
+
+/* Active + carved pattern above which ground counts as carved: a branch, not the trace of one. */
+#define CARVED_DEPTH 0.1f
 
 /* Units of the maps of coefficients: value = stored * unit. */
 #define UNIT_ALPHA_A (1.0f / 32768)

@@ -11,20 +11,18 @@ struct painting_def painting_default_def(void)
     return (struct painting_def){.width = 720, .height = 720, .seed = 1, .coefficients = coefficients_default()};
 }
 
-static const struct kernels *choose_kernels(enum painting_vectors vectors)
+static const struct kernels *choose_kernels(enum vectors vectors)
 {
+    switch (vectors_here(vectors)) {
 #if defined(__x86_64__)
-    bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
-    if (wide && (vectors == VECTORS_BEST || vectors == VECTORS_AVX512)) {
+    case VECTORS_AVX512:
         return &kernels_avx512;
-    }
-    if (__builtin_cpu_supports("avx2") && vectors != VECTORS_NARROW) {
+    case VECTORS_AVX2:
         return &kernels_avx2;
-    }
 #endif
-    (void)vectors;
-    return &kernels_narrow;
+    default:
+        return &kernels_narrow;
+    }
 }
 
 static void *take(struct painting *painting, size_t count, size_t size)
@@ -105,15 +103,9 @@ static bool take_state(struct painting *painting)
     return take_halo(painting);
 }
 
-static bool is_legal(const struct painting_def *def)
-{
-    return def->width >= PAINTING_SIZE_MIN && def->width <= PAINTING_SIZE_MAX && def->height >= PAINTING_SIZE_MIN &&
-           def->height <= PAINTING_SIZE_MAX && def->margin >= 0 && def->margin <= PAINTING_MARGIN_MAX;
-}
-
 struct painting *painting_create(const struct painting_def *def)
 {
-    struct painting *painting = is_legal(def) ? calloc(1, sizeof *painting) : NULL;
+    struct painting *painting = canvas_is_legal(painting_canvas(def)) ? calloc(1, sizeof *painting) : NULL;
     if (!painting) {
         return NULL;
     }

@@ -23,34 +23,31 @@
 #include <stdint.h>
 
 #include "action.h"
+#include "canvas.h"
 #include "coefficients.h"
+#include "vectors.h"
 
 enum {
-    PAINTING_INKS = 4,      /* inks that a painting carries */
-    PAINTING_SIZE_MIN = 16, /* cells a side */
-    PAINTING_SIZE_MAX = 4096,
-    PAINTING_MARGIN_MAX = 256,
-};
-
-enum painting_vectors {
-    VECTORS_BEST,   /* the widest that this machine has */
-    VECTORS_NARROW, /* SSE2 or NEON */
-    VECTORS_AVX2,
-    VECTORS_AVX512,
+    PAINTING_INKS = 4, /* inks that a painting carries */
 };
 
 struct painting_def {
-    int width, height; /* cells of the visible sheet, PAINTING_SIZE_MIN..PAINTING_SIZE_MAX */
-    int margin; /* cells simulated beyond each side, 0..PAINTING_MARGIN_MAX, so that growth does not turn square there
-                 */
-    uint32_t seed;                 /* of the static noise and of everything random */
-    int threads;                   /* 0: one for each processor */
-    bool dense;                    /* keep every tile awake: for tests and measurements, the bits are the same */
-    enum painting_vectors vectors; /* wider than the machine has: the widest it has */
+    int width, height; /* cells of the visible sheet, CANVAS_SIZE_MIN..CANVAS_SIZE_MAX */
+    int margin;    /* cells simulated beyond each side, 0..CANVAS_MARGIN_MAX, so that growth does not turn square there
+                    */
+    uint32_t seed; /* of the static noise and of everything random */
+    int threads;   /* 0: one for each processor */
+    bool dense;    /* keep every tile awake: for tests and measurements, the bits are the same */
+    enum vectors vectors; /* wider than the machine has: the widest it has */
     struct coefficients coefficients;
 };
 
 struct painting_def painting_default_def(void); /* 720x720, no margin, seed 1, best vectors, default coefficients */
+
+static inline struct canvas painting_canvas(const struct painting_def *def)
+{
+    return (struct canvas){def->width, def->height, def->margin, def->seed};
+}
 
 struct painting;
 

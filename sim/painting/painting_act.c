@@ -1,10 +1,8 @@
 /* Actions: the ground changes (ground.h), then what the verb lays down (deposit.h) comes to the cells. */
 #include <string.h>
 
+#include "d2q9.h"
 #include "painting_state.h"
-
-static const float WEIGHTS[9] = {4.0f / 9,  1.0f / 9,  1.0f / 9,  1.0f / 9, 1.0f / 9,
-                                 1.0f / 36, 1.0f / 36, 1.0f / 36, 1.0f / 36};
 
 static float *field(const struct painting *painting, int number, int x, int y)
 {
@@ -22,7 +20,7 @@ static float add_liquid(const struct painting *painting, int first, int x, int y
     float density = 0.0f;
     for (int i = 0; i < 9; i++) {
         float *population = field(painting, first + i, x, y);
-        *population += WEIGHTS[i] * amount;
+        *population += d2q9_weights[i] * amount;
         density += *population;
     }
     return density;
@@ -63,7 +61,7 @@ static double take_liquid(const struct painting *painting, int first, int x, int
 
 static bool is_carved(const struct painting *painting, int x, int y)
 {
-    return *pattern(painting, PATTERN_ACTIVE, x, y) + *pattern(painting, PATTERN_CARVED, x, y) > DEPOSIT_CARVED;
+    return *pattern(painting, PATTERN_ACTIVE, x, y) + *pattern(painting, PATTERN_CARVED, x, y) > CARVED_DEPTH;
 }
 
 static void drop_cell(struct painting *painting, int x, int y, float cover, float seed)
@@ -103,7 +101,7 @@ static void pour_cell(struct painting *painting, int x, int y, float cover, floa
 {
     float *active = pattern(painting, PATTERN_ACTIVE, x, y), *carved = pattern(painting, PATTERN_CARVED, x, y);
     if (cover <= 0.0f) {
-        *active = *carved > DEPOSIT_CARVED && *active < seed ? seed : *active;
+        *active = *carved > CARVED_DEPTH && *active < seed ? seed : *active;
         return;
     }
     *active = *carved = 0.0f;
@@ -145,14 +143,11 @@ static void wet_cell(struct painting *painting, int x, int y, float cover, float
 
 typedef void cell_work(struct painting *painting, int x, int y, float cover, float seed);
 
-static cell_work *const CELL_WORK[ACTION_VERBS] = {
-    [ACTION_DROP] = drop_cell,
-    [ACTION_BRUSH_SOLVENT] = brush_solvent_cell,
-    [ACTION_BRUSH_INK] = brush_ink_cell,
-    [ACTION_DRAW] = draw_cell,
-    [ACTION_POUR] = pour_cell,
-    [ACTION_DRY] = dry_cell,
-    [ACTION_WET] = wet_cell,
+static cell_work *const CELL_WORK[DEPOSIT_LAWS] = {
+    [DEPOSIT_DROP] = drop_cell,     [DEPOSIT_SOLVENT] = brush_solvent_cell,
+    [DEPOSIT_INK] = brush_ink_cell, [DEPOSIT_LINE] = draw_cell,
+    [DEPOSIT_FRESH] = pour_cell,    [DEPOSIT_DRIES] = dry_cell,
+    [DEPOSIT_WETS] = wet_cell,
 };
 
 static void apply_part(struct painting *painting, cell_work *work)
@@ -161,7 +156,7 @@ static void apply_part(struct painting *painting, cell_work *work)
     const float *cover = deposit->cover, *seed = deposit->seed;
     for (int y = deposit->part.y0; y < deposit->part.y1; y++) {
         for (int x = deposit->part.x0; x < deposit->part.x1; x++, cover++, seed++) {
-            if (*cover > 0.0f || (deposit->verb == ACTION_POUR && *seed > 0.0f)) {
+            if (*cover > 0.0f || (deposit->law == DEPOSIT_FRESH && *seed > 0.0f)) {
                 work(painting, x, y, *cover, *seed);
             }
         }
@@ -180,16 +175,14 @@ static void lay(struct painting *painting, const struct action *action)
     struct deposit *deposit = &painting->deposit;
     deposit_begin(deposit, painting->ground, action);
     while (deposit_next(deposit)) {
-        if (deposit->verb == ACTION_RINSE) {
+        if (deposit->law == DEPOSIT_RINSE) {
             painting_rinse(painting);
         } else {
-            apply_part(painting, CELL_WORK[deposit->verb]);
+            apply_part(painting, CELL_WORK[deposit->law]);
         }
     }
     struct rectangle cells = deposit->cells;
-    bool brings_liquid = action->verb == ACTION_DROP || action->verb == ACTION_BRUSH_SOLVENT ||
-                         action->verb == ACTION_BRUSH_INK || action->verb == ACTION_WET || action->verb == ACTION_RINSE;
-    if (brings_liquid) {
+    if (deposit_brings_liquid(deposit)) {
         tiles_mark(&painting->tiles, TILE_WET, cells.x0, cells.x1, cells.y0, cells.y1);
     }
     touch(painting, cells);

@@ -1,6 +1,7 @@
 /* Looking at a painting: fields, totals, hash. */
 #include <string.h>
 
+#include "d2q9.h"
 #include "painting_state.h"
 
 const char *painting_field_name(enum painting_field field)
@@ -16,7 +17,7 @@ const char *painting_field_name(enum painting_field field)
 }
 
 /* Sum of weights[i] * population i of a cell. */
-static float moment(const struct painting *painting, int first, const float weights[9], int x, int y)
+static float moment(const struct painting *painting, int first, const float weights[POPULATIONS], int x, int y)
 {
     const float *population = fluid_row(painting, y) + (size_t)first * (size_t)painting->stride + x;
     float sum = 0.0f;
@@ -28,9 +29,7 @@ static float moment(const struct painting *painting, int first, const float weig
 
 static float value_at(const struct painting *painting, enum painting_field field, int x, int y)
 {
-    static const float DENSITY[9] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
-    static const float MOMENTUM_X[9] = {0, 1, 0, -1, 0, 1, -1, -1, 1};
-    static const float MOMENTUM_Y[9] = {0, 0, 1, 0, -1, 1, 1, -1, -1};
+    static const float ONES[POPULATIONS] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
     size_t stride = (size_t)painting->stride;
     switch (field) {
     case PAINTING_ACTIVE:
@@ -40,17 +39,17 @@ static float value_at(const struct painting *painting, enum painting_field field
     case PAINTING_CARVED:
         return pattern_row(painting, y)[PATTERN_CARVED * stride + (size_t)x];
     case PAINTING_SOLVENT:
-        return moment(painting, FLUID_SOLVENT, DENSITY, x, y);
+        return moment(painting, FLUID_SOLVENT, ONES, x, y);
     case PAINTING_SOLVENT_U:
-        return moment(painting, FLUID_SOLVENT, MOMENTUM_X, x, y);
+        return moment(painting, FLUID_SOLVENT, d2q9_x, x, y);
     case PAINTING_SOLVENT_V:
-        return moment(painting, FLUID_SOLVENT, MOMENTUM_Y, x, y);
+        return moment(painting, FLUID_SOLVENT, d2q9_y, x, y);
     case PAINTING_INK:
-        return moment(painting, FLUID_INK, DENSITY, x, y);
+        return moment(painting, FLUID_INK, ONES, x, y);
     case PAINTING_INK_U:
-        return moment(painting, FLUID_INK, MOMENTUM_X, x, y);
+        return moment(painting, FLUID_INK, d2q9_x, x, y);
     case PAINTING_INK_V:
-        return moment(painting, FLUID_INK, MOMENTUM_Y, x, y);
+        return moment(painting, FLUID_INK, d2q9_y, x, y);
     default:
         if (field >= PAINTING_GUIDE_U) {
             return ground_value(painting->ground, field, x, y);

@@ -1,11 +1,8 @@
 /* Running water comes to the cells (rinse.h). */
 #include <math.h>
 
+#include "d2q9.h"
 #include "painting_state.h"
-
-static const float WEIGHTS[9] = {4.0f / 9,  1.0f / 9,  1.0f / 9,  1.0f / 9, 1.0f / 9,
-                                 1.0f / 36, 1.0f / 36, 1.0f / 36, 1.0f / 36};
-static const float ALONG_X[9] = {0, 1, 0, -1, 0, 1, -1, -1, 1}, ALONG_Y[9] = {0, 0, 1, 0, -1, 1, 1, -1, -1};
 
 /* A stretch of a row. */
 enum { STRETCH = 128 };
@@ -68,7 +65,7 @@ static double change_ink(const struct stretch *stretch)
     double taken = 0.0;
     for (int field = 0; field < 9; field++) {
         float *population = fluid_row(painting, stretch->y) + (FLUID_INK + field) * painting->stride + stretch->x;
-        const float weight = RINSE_WATER * WEIGHTS[field], along_x = ALONG_X[field], along_y = ALONG_Y[field];
+        const float weight = RINSE_WATER * d2q9_weights[field], along_x = d2q9_x[field], along_y = d2q9_y[field];
         for (int i = 0; i < stretch->count; i++) {
             float e_u = along_x * stretch->u[i] + along_y * stretch->v[i];
             float water = weight * (1.0f - 1.5f * (RINSE_SPEED * RINSE_SPEED) + e_u * (3.0f + 4.5f * e_u));

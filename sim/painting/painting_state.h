@@ -16,6 +16,7 @@
 #include "painting.h"
 #include "team.h"
 #include "tiles.h"
+#include "upkeep.h"
 
 enum { SIDE = GROUND_SIDE }; /* floats before and after each row */
 
@@ -60,11 +61,6 @@ struct painting {
     double evaporated, ink_dried;
     int quiet_periods; /* of upkeep, since the last action, in which the carved area hardly grew */
     int64_t carved;    /* cells */
-};
-
-enum {
-    UPKEEP_TICKS = 64,
-    CALM_PERIODS = 24, /* quiet periods after which liquid has to move more to move at all: see painting_fluid.c */
 };
 
 /* First cell of a row of a field. */

@@ -2,12 +2,10 @@
  * found to have settled, and then its solvent evaporates.
  *
  * Settling (not in the paper): left alone, the last thin solvent feeds growth for ever. When the carved area has grown
- * by less than a part in 256 a period, eight periods running, the painting has settled: solvent leaves every cell at a
- * constant rate (thick liquid faster), the fronts starve, and every tile falls asleep. Any action wakes it. Until then
- * no liquid is lost. */
+ * by less than a part in QUIET_SHARE a period, QUIET_PERIODS running, the painting has settled: solvent leaves every
+ * cell at a constant rate (thick liquid faster), the fronts starve, and every tile falls asleep. Any action wakes it.
+ * Until then no liquid is lost. */
 #include "painting_state.h"
-
-enum { QUIET_PERIODS = 8, QUIET_SHARE = 256 };
 
 struct upkeep {
     struct painting *painting;
@@ -86,7 +84,7 @@ static void count_tile(struct painting *painting, int tx, int ty)
     for (int y = ty * TILE; y < (ty + 1) * TILE && y < painting->height; y++) {
         const float *active = pattern_row(painting, y), *carved = active + PATTERN_CARVED * painting->stride;
         for (int x = tx * TILE; x < (tx + 1) * TILE && x < painting->width; x++) {
-            count += active[x] + carved[x] > 0.1f;
+            count += active[x] + carved[x] > CARVED_DEPTH;
         }
     }
     painting->tile_carved[ty * painting->tiles.columns + tx] = (uint16_t)count;

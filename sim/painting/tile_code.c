@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "d2q9.h"
+
 enum {
     MANTISSA_SHIFT = 13,
     EXPONENT_LEAST = (127 - 48) << 10, /* in units of the code: what is below is 0 */
@@ -13,11 +15,6 @@ enum {
 /* Of each component: populations in equilibrium are then at least 0, as 1 / 2 - 3 / 2 u^2 is, and so is every density
  * that they flow into. */
 #define VELOCITY_MOST 0.4f
-
-/* Populations of a liquid at rest, and directions, in the order of kernel.h. */
-static const float WEIGHTS[9] = {4.0f / 9,  1.0f / 9,  1.0f / 9,  1.0f / 9, 1.0f / 9,
-                                 1.0f / 36, 1.0f / 36, 1.0f / 36, 1.0f / 36};
-static const float ALONG_X[9] = {0, 1, 0, -1, 0, 1, -1, -1, 1}, ALONG_Y[9] = {0, 0, 1, 0, -1, 1, 1, -1, -1};
 
 static uint16_t number_code(float value)
 {
@@ -149,7 +146,7 @@ static float blend_liquid(float *population, size_t plane, float rho, float x, f
     float size = fabsf(x) + fabsf(y), most = rho * (1.0f / 3);
     float scale = size > most ? most / size : 1.0f, density = 0.0f;
     for (int i = 0; i < 9; i++, population += plane) {
-        float value = WEIGHTS[i] * (rho + (3.0f * scale) * (ALONG_X[i] * x + ALONG_Y[i] * y));
+        float value = d2q9_weights[i] * (rho + (3.0f * scale) * (d2q9_x[i] * x + d2q9_y[i] * y));
         value = value > 0.0f ? value : 0.0f;
         *population = share >= 1.0f ? value : *population + share * (value - *population);
         density += *population;

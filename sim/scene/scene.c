@@ -1,31 +1,27 @@
 #include "scene.h"
 
-#include "dish.h"
-#include "scene_trees.h"
-#include "storm.h"
+#include "verb.h"
 
-const char *const scene_kind_names[SCENE_KINDS + 1] = {"painting", "trees", "lightning", "chemistry", NULL};
+#define SCENE_NAME(kind, name, type, about)    name,
+#define SCENE_MEANING(kind, name, type, about) about,
+#define SCENE_EXTERN(kind, name, type, about)  extern const struct scene_type type;
+#define SCENE_ENTRY(kind, name, type, about)   [kind] = &(type),
+
+const char *const scene_kind_names[SCENE_KINDS + 1] = {"painting", SCENE_TYPES(SCENE_NAME) NULL};
+const char *const scene_kind_meanings[SCENE_KINDS] = {NULL, SCENE_TYPES(SCENE_MEANING)};
 const char *const scene_field_names[SCENE_FIELDS + 1] = {"dark", "along", "around", NULL};
 
-const struct scene_type *const scene_types[SCENE_KINDS] = {
-    [SCENE_TREES] = &trees_type,
-    [SCENE_LIGHTNING] = &storm_type,
-    [SCENE_CHEMISTRY] = &dish_type,
-};
+SCENE_TYPES(SCENE_EXTERN)
+const struct scene_type *const scene_types[SCENE_KINDS] = {SCENE_TYPES(SCENE_ENTRY)};
 
 enum scene_kind scene_kind_of(enum action_verb verb)
 {
-    int kind = SCENE_KINDS - 1;
-    while (kind > SCENE_PAINTING && !scene_types[kind]->takes(verb)) {
-        kind--;
-    }
-    return (enum scene_kind)kind;
+    return verbs[verb]->scene;
 }
 
 bool scene_takes(enum scene_kind kind, enum action_verb verb)
 {
-    bool all = verb == ACTION_UNDO || verb == ACTION_REDO || verb == ACTION_CLEAR || verb == ACTION_RINSE;
-    return all || scene_kind_of(verb) == kind;
+    return verbs[verb]->shared || verbs[verb]->scene == kind;
 }
 
 int scene_field_channels(enum scene_field field)

@@ -8,7 +8,7 @@
  *     type->tick(scene, ticked);                      once they are done, once for each tick
  *     type->lay(scene, ticked, width, height, rgb);   over a picture of the painting
  *
- * A new kind of scene is a pair of files that defines a scene_type, and a line in scene.c. */
+ * A new kind of scene is a pair of files that defines a scene_type, and a line in SCENE_TYPES. */
 #ifndef FROND_SCENE_H
 #define FROND_SCENE_H
 
@@ -17,14 +17,22 @@
 
 #include "action.h"
 
-enum scene_kind {
-    SCENE_PAINTING,  /* the engine's (engine.h): it has no scene_type */
-    SCENE_TREES,     /* a garden over a painting that sleeps */
-    SCENE_LIGHTNING, /* a storm */
-    SCENE_CHEMISTRY, /* a dish */
-    SCENE_KINDS,
-};
+/* Every kind but the painting, which is the engine's (engine.h): enum scene_kind, its name in files, its struct
+ * scene_type, and a sentence for curators about its section in an exhibit. */
+#define SCENE_TYPES(KIND)                                                                                              \
+    KIND(SCENE_TREES, "trees", trees_type,                                                                             \
+         "How they grow in a scene of trees, as `frond grow` does it, and over which picture first; defaults are "     \
+         "those of ink.")                                                                                              \
+    KIND(SCENE_LIGHTNING, "lightning", storm_type,                                                                     \
+         "How it grows in a scene of lightning: bolts, corals, rivers, frost; defaults are those of the first kind.")  \
+    KIND(SCENE_CHEMISTRY, "chemistry", dish_type,                                                                      \
+         "How chemicals react in a scene of chemistry, and what they look like.")
+
+#define SCENE_ENUMERATOR(kind, name, type, about) kind,
+enum scene_kind { SCENE_PAINTING, SCENE_TYPES(SCENE_ENUMERATOR) SCENE_KINDS };
+#undef SCENE_ENUMERATOR
 extern const char *const scene_kind_names[SCENE_KINDS + 1]; /* "painting", ...; ends with NULL */
+extern const char *const scene_kind_meanings[SCENE_KINDS];  /* those sentences; NULL for SCENE_PAINTING */
 
 /* What a scene gives to another, as rasters over the sheet. */
 enum scene_field {
@@ -44,11 +52,24 @@ struct scene_figure {
 };
 enum { SCENE_FIGURES = 32 };
 
+/* How a display shows it (app/scene/live_drawer.h). */
+enum scene_show {
+    SHOW_PICTURE, /* by what `lay` gives, whatever it is */
+    SHOW_PLATE,   /* a garden's (plate.h) */
+    SHOW_BOLTS,   /* a storm's (bolt_light.h) */
+    SHOW_PATTERN, /* a dish's (gray_scott_shade.h) */
+};
+
 struct scene_type {
-    const char *name;                     /* as of scene_kind_names */
-    const struct key *options;            /* what can be set, over struct garden_def's growth, storm_def, dish_def */
-    enum action_verb sets;                /* the verb that sets one: ACTION_SHAPE, ACTION_CONDUCT, ACTION_REACT */
-    bool (*takes)(enum action_verb verb); /* verbs that are for this kind alone: a session with one has such a scene */
+    enum scene_show shows;
+    const char *about;              /* a sentence about its options, for a curator */
+    const struct key *options;      /* what can be set, over a struct of its own of SCENE_OPTIONS_BYTES at most */
+    const char *const *brings;      /* names of options that bring the values of others; ends with NULL */
+    enum action_verb sets;          /* the verb that sets one */
+    enum action_verb begins;        /* the verb by which something begins to grow at a place, whatever the tool */
+    void (*initial)(void *options); /* fills that struct as at first */
+    /* Sets a value of the table: brought into its range, with what it brings. */
+    void (*take)(void *options, int key, float value);
     void *(*create)(int width, int height); /* cells of the sheet. Nothing is on it. NULL when memory is short */
     void (*destroy)(void *scene);           /* takes NULL */
     void (*resize)(void *scene, int width, int height); /* the sheet has another grid; what has grown stays */
@@ -62,16 +83,19 @@ struct scene_type {
     /* Fills channels * width * height values, channel by channel, rounded to 1/65536. False when memory is short. */
     bool (*field)(void *scene, enum scene_field field, int width, int height, float *values);
     uint64_t (*hash)(const void *scene); /* of all that decides what it looks like, for tests */
-    /* Those below may be NULL. Planes of its own model, for files: "u", "v"; ends with NULL; and filling width * height
+    /* Those below may be NULL. Whether it looks the same from this tick on until something is done; NULL: never. */
+    bool (*is_calm)(const void *scene, int64_t tick);
+    /* Planes of its own model, for files: "u", "v"; ends with NULL; and filling width * height
      * values with one. False when memory is short. */
     const char *const *planes;
     bool (*plane)(void *scene, int plane, int width, int height, float *values);
     /* Figures of it, at most SCENE_FIGURES; how many. The scene stays as it is. */
     int (*figures)(const void *scene, struct scene_figure *figures);
 };
+enum { SCENE_OPTIONS_BYTES = 1024 };
 /* By kind; NULL for SCENE_PAINTING. */
 extern const struct scene_type *const scene_types[SCENE_KINDS];
-/* The kind that a verb is for alone, or SCENE_PAINTING. */
+/* The kind that a verb is for alone (a session with one has such a scene), or SCENE_PAINTING. */
 enum scene_kind scene_kind_of(enum action_verb verb);
 /* Whether an action is for scenes of a kind: what is for that kind alone, and what washes, clears and takes back. */
 bool scene_takes(enum scene_kind kind, enum action_verb verb);

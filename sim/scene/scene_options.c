@@ -3,12 +3,17 @@
 #include <math.h>
 #include <string.h>
 
+_Static_assert(sizeof(struct growth_def) <= SCENE_OPTIONS_BYTES && sizeof(struct storm_def) <= SCENE_OPTIONS_BYTES &&
+                   sizeof(struct dish_def) <= SCENE_OPTIONS_BYTES,
+               "there is room for the options of each kind");
+
 struct scene_options scene_options_default(enum scene_kind kind)
 {
-    return (struct scene_options){.kind = kind,
-                                  .trees = growth_preset(METAPHOR_INK, false),
-                                  .lightning = storm_preset(BOLT_LIGHTNING),
-                                  .chemistry = dish_default_def()};
+    struct scene_options options = {.kind = kind};
+    if (scene_types[kind]) {
+        scene_types[kind]->initial(scene_options_object(&options));
+    }
+    return options;
 }
 
 const struct key *scene_options_keys(enum scene_kind kind)
@@ -19,9 +24,7 @@ const struct key *scene_options_keys(enum scene_kind kind)
 
 void *scene_options_object(struct scene_options *options)
 {
-    return options->kind == SCENE_TREES       ? (void *)&options->trees
-           : options->kind == SCENE_LIGHTNING ? (void *)&options->lightning
-                                              : (void *)&options->chemistry;
+    return options->any;
 }
 
 bool scene_option_is_value(const struct key *key)
@@ -31,16 +34,11 @@ bool scene_option_is_value(const struct key *key)
 
 bool scene_option_brings(enum scene_kind kind, const struct key *key)
 {
-    switch (kind) {
-    case SCENE_TREES:
-        return strcmp(key->name, "metaphor") == 0 || strcmp(key->name, "tree") == 0;
-    case SCENE_LIGHTNING:
-        return strcmp(key->name, "kind") == 0;
-    case SCENE_CHEMISTRY:
-        return strcmp(key->name, "preset") == 0;
-    default:
-        return false;
+    const char *const *name = scene_types[kind] ? scene_types[kind]->brings : NULL;
+    while (name && *name && strcmp(*name, key->name) != 0) {
+        name++;
     }
+    return name && *name;
 }
 
 float scene_option_value(const struct scene_options *options, int key)
@@ -51,18 +49,8 @@ float scene_option_value(const struct scene_options *options, int key)
 
 void scene_option_take(struct scene_options *options, int key, float value)
 {
-    switch (options->kind) {
-    case SCENE_TREES:
-        growth_take(&options->trees, key, value);
-        break;
-    case SCENE_LIGHTNING:
-        storm_take(&options->lightning, key, value);
-        break;
-    case SCENE_CHEMISTRY:
-        dish_take(&options->chemistry, key, value);
-        break;
-    default:
-        break;
+    if (scene_types[options->kind]) {
+        scene_types[options->kind]->take(scene_options_object(options), key, value);
     }
 }
 

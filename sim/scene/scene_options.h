@@ -1,7 +1,10 @@
-/* What is set in a scene, whatever its kind: the values that exhibits give, that dials turn, that ACTION_SHAPE,
- * ACTION_CONDUCT and ACTION_REACT set. */
+/* What is set in a scene, whatever its kind: the values that exhibits give, that dials turn, that its verb sets
+ * (struct scene_type). */
 #ifndef FROND_SCENE_OPTIONS_H
 #define FROND_SCENE_OPTIONS_H
+
+#include <stdalign.h>
+#include <stddef.h>
 
 #include "dish.h"
 #include "growth.h"
@@ -10,12 +13,15 @@
 
 struct scene_options {
     enum scene_kind kind;
-    struct growth_def trees;    /* of SCENE_TREES; the others are as at first then, and so on */
-    struct storm_def lightning; /* of SCENE_LIGHTNING */
-    struct dish_def chemistry;  /* of SCENE_CHEMISTRY */
+    union {
+        alignas(max_align_t) unsigned char any[SCENE_OPTIONS_BYTES];
+        struct growth_def trees;    /* of SCENE_TREES */
+        struct storm_def lightning; /* of SCENE_LIGHTNING */
+        struct dish_def chemistry;  /* of SCENE_CHEMISTRY */
+    };
 };
 
-/* As at first, all of them. */
+/* As at first. */
 struct scene_options scene_options_default(enum scene_kind kind);
 /* The table of the kind, over the struct that scene_options_object gives; of a painting an empty one. Ends with a key
  * whose name is NULL. */

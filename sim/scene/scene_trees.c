@@ -1,12 +1,12 @@
 #include "scene_trees.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "along.h"
 #include "garden.h"
 #include "importance.h"
 #include "lattice.h"
+#include "rounded.h"
 
 struct trees {
     struct garden *garden;
@@ -110,7 +110,7 @@ static bool field_dark(struct trees *trees, int width, int height, float *values
 {
     bool good = paint(trees, width, height);
     for (int i = 0; i < width * height && good; i++) {
-        values[i] = 1 - nearbyintf((float)trees->plate.rgba[4 * i + 3] / 255 * 65536) / 65536;
+        values[i] = 1 - rounded((float)trees->plate.rgba[4 * i + 3] / 255);
     }
     return good;
 }
@@ -131,7 +131,7 @@ static void field_around(const struct trees *trees, int width, int height, float
             int node_x = has ? (int)((int64_t)x * plan.lattice->width / width) : 0;
             int node_y = has ? (int)((int64_t)y * plan.lattice->height / height) : 0;
             float value = has ? importance_at(plan.importance, (float)node_x, (float)node_y) : 0;
-            values[y * width + x] = nearbyintf(value * 65536) / 65536;
+            values[y * width + x] = rounded(value);
         }
     }
 }
@@ -156,11 +156,26 @@ static uint64_t hash(const void *scene)
     return garden_hash(trees->garden);
 }
 
+static void initial_options(void *options)
+{
+    *(struct growth_def *)options = growth_preset(METAPHOR_INK, false);
+}
+
+static void take_option(void *options, int key, float value)
+{
+    growth_take(options, key, value);
+}
+
+static const char *const BRINGS[] = {"metaphor", "tree", NULL};
+
 const struct scene_type trees_type = {
-    .name = "trees",
+    .shows = SHOW_PLATE,
     .options = growth_keys,
+    .brings = BRINGS,
     .sets = ACTION_SHAPE,
-    .takes = garden_takes,
+    .begins = ACTION_PLANT,
+    .initial = initial_options,
+    .take = take_option,
     .create = create,
     .destroy = destroy,
     .resize = resize,

@@ -72,8 +72,6 @@ struct thickness {
     float mix;   /* 1: by importance alone, 0: as a branch alone */
 };
 
-struct thickness thickness_default(void); /* 0.25, 1.45, 1.5, 8, 3, 0.5, 0, 0, 1 */
-
 /* Fills the radii. `importance` is taken at the nodes' vertices; NULL (of graphs): 1 everywhere. */
 void dendrite_thicken(struct dendrite *dendrite, const struct importance *importance,
                       const struct thickness *thickness);

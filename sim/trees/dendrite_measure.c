@@ -6,12 +6,6 @@
 
 enum { WINDOW_MAX = 64, NEAR = 4 };
 
-struct thickness thickness_default(void)
-{
-    return (struct thickness){
-        .tip = 0.25f, .gain = 1.45f, .power = 1.5f, .window = 8, .branch = 3, .step = 0.5f, .mix = 1};
-}
-
 static float importance_of(const struct dendrite *dendrite, const struct importance *importance, int32_t node)
 {
     const struct lattice *lattice = dendrite->lattice;

@@ -57,12 +57,6 @@ void garden_resize(struct garden *garden, int width, int height)
     def->height = height;
 }
 
-bool garden_takes(enum action_verb verb)
-{
-    return verb == ACTION_STOCK || verb == ACTION_SHAPE || verb == ACTION_PLANT || verb == ACTION_TEND ||
-           verb == ACTION_HOLD;
-}
-
 static void take_stock(struct garden *garden, const struct action_raster *picture)
 {
     size_t count = (size_t)picture->width * (size_t)picture->height;
@@ -256,17 +250,17 @@ static void take_clear(struct garden *garden)
 static void take_rinse(struct garden *garden, const struct action *action)
 {
     struct bed *bed = garden->bed;
-    const struct painting_def sheet = {.width = garden->def.width, .height = garden->def.height};
+    const struct canvas canvas = {.width = garden->def.width, .height = garden->def.height};
     struct rinse rinse;
     if (!bed || (!action->has_at && action->path.count == 0)) {
         return;
     }
-    rinse_begin(&rinse, &sheet, action);
+    rinse_begin(&rinse, &canvas, action);
     float tick = (float)(garden->now - garden->origin);
     for (int y = 0; y < bed->height; y++) {
-        int row = (int)(((float)y + 0.5f) * (float)sheet.height / (float)bed->height);
+        int row = (int)(((float)y + 0.5f) * (float)canvas.height / (float)bed->height);
         for (int x = 0; x < bed->width; x++) {
-            int column = (int)(((float)x + 0.5f) * (float)sheet.width / (float)bed->width);
+            int column = (int)(((float)x + 0.5f) * (float)canvas.width / (float)bed->width);
             int32_t node = lattice_node(bed->base, x, y);
             if (bed->birth[node] >= FLT_MAX || column < rinse.cells.x0 || column >= rinse.cells.x1 ||
                 row < rinse.cells.y0 || row >= rinse.cells.y1) {
@@ -274,7 +268,7 @@ static void take_rinse(struct garden *garden, const struct action *action)
             }
             float turn, phase = rinse_phase(&rinse, column, row, &turn);
             if (phase > 0) {
-                bed->left[node] *= phase >= RINSE_OVER ? 0 : 1 - rinse_shares(phase, action->strength).thins;
+                bed->left[node] *= 1 - rinse_takes(phase, action->strength);
                 bed->washed[node] = tick;
                 garden->work |= WORK_STYLE;
             }

@@ -57,8 +57,6 @@ void garden_destroy(struct garden *garden); /* takes NULL */
 struct garden_def garden_get_def(const struct garden *garden);
 /* The sheet has another grid, or another shape: then all is planned anew. */
 void garden_resize(struct garden *garden, int width, int height);
-/* Whether the verb is one for gardens alone. */
-bool garden_takes(enum action_verb verb);
 /* Rasters are copied. Quick: what it takes is planned by garden_grow. Ticks do not go back. */
 void garden_act(struct garden *garden, int64_t tick, const struct action *action);
 /* Whether something has been done since the last garden_grow. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "garden_state.h"
+#include "hash.h"
 
 enum { NODES_AN_ENDPOINT = 36 /* at least, or the lattice is full */ };
 
@@ -71,12 +72,8 @@ static void style(struct garden *garden)
     struct bed *bed = garden->bed;
     struct dendrite *dendrite = bed->dendrite;
     const struct growth_def *def = &garden->def.growth;
-    struct thickness thickness = {.tip = def->tip,
-                                  .gain = def->gain,
-                                  .power = def->power,
-                                  .window = (int)((float)def->window * bed->unit + 0.5f),
-                                  .branch = def->branch,
-                                  .mix = def->mix};
+    struct thickness thickness = growth_thickness(def);
+    thickness.window = (int)((float)def->window * bed->unit + 0.5f);
     dendrite_smooth(dendrite, def->smooth, def->jitter * bed->unit, (uint32_t)def->seed, 0);
     for (int32_t i = 0; i < dendrite->node_count; i++) {
         struct dendrite_node *node = &dendrite->nodes[i];
@@ -165,26 +162,18 @@ bool garden_grow(struct garden *garden)
     return good;
 }
 
-static uint64_t hash(uint64_t so_far, int64_t value)
-{
-    for (int i = 0; i < 8; i++) {
-        so_far = (so_far ^ ((uint64_t)value >> 8 * i & 0xff)) * UINT64_C(1099511628211);
-    }
-    return so_far;
-}
-
 uint64_t garden_hash(const struct garden *garden)
 {
-    uint64_t found = UINT64_C(14695981039346656037);
+    uint64_t found = HASH_START;
     const struct dendrite *dendrite = garden->bed ? garden->bed->dendrite : NULL;
     for (int32_t i = 0; dendrite && i < dendrite->node_count; i++) { /* parts of the last digits of powf are left out */
         const struct dendrite_node *node = &dendrite->nodes[i];
-        found = hash(found, node->vertex);
-        found = hash(found, node->parent);
-        found = hash(found, (int64_t)floorf(node->x * 64));
-        found = hash(found, (int64_t)floorf(node->y * 64));
-        found = hash(found, (int64_t)floorf(node->radius * 256));
-        found = hash(found, (int64_t)floorf(node->birth * 16) + 16 * garden->origin);
+        found = hash_number(found, node->vertex);
+        found = hash_number(found, node->parent);
+        found = hash_number(found, (int64_t)floorf(node->x * 64));
+        found = hash_number(found, (int64_t)floorf(node->y * 64));
+        found = hash_number(found, (int64_t)floorf(node->radius * 256));
+        found = hash_number(found, (int64_t)floorf(node->birth * 16) + 16 * garden->origin);
     }
-    return hash(hash(found, garden->def.growth.metaphor), garden->seed_count);
+    return hash_number(hash_number(found, garden->def.growth.metaphor), garden->seed_count);
 }

@@ -68,18 +68,23 @@ static bool plant(struct growth *growth)
     return growth->seeds;
 }
 
+struct thickness growth_thickness(const struct growth_def *def)
+{
+    return (struct thickness){.tip = def->tip,
+                              .gain = def->gain,
+                              .power = def->power,
+                              .window = def->window,
+                              .branch = def->branch,
+                              .mix = def->mix};
+}
+
 bool growth_finish_layer(const struct growth *growth, struct dendrite *dendrite)
 {
     const struct growth_def *def = &growth->def;
     if (!dendrite_arrange(dendrite)) {
         return false;
     }
-    struct thickness thickness = {.tip = def->tip,
-                                  .gain = def->gain,
-                                  .power = def->power,
-                                  .window = def->window,
-                                  .branch = def->branch,
-                                  .mix = def->mix};
+    struct thickness thickness = growth_thickness(def);
     if (def->tree) {
         thickness.step = def->step;
         thickness.trunk = def->trunk;

@@ -85,9 +85,10 @@ bool growth_brush(struct growth *growth, float x, float y, float radius, float a
 /* Adds the lines of all layers. False when memory is short. */
 bool growth_strokes(const struct growth *growth, struct strokes *strokes);
 
-/* For gardens: what the lattice is made of; endpoints within a rectangle, which is not empty, placed anew, kept apart
- * from those around it, false when memory is short. */
+/* For gardens: what the lattice is made of; how thick a dendrite is; endpoints within a rectangle, which is not empty,
+ * placed anew, kept apart from those around it, false when memory is short. */
 struct lattice_def growth_lattice_def(const struct growth_def *def);
+struct thickness growth_thickness(const struct growth_def *def);
 bool growth_place_again(struct growth *growth, struct rectangle touched);
 
 /* For growth_tree.c: lays out branches, smooths, thickens. */

@@ -1,4 +1,5 @@
-/* golden FOLDER: plays every journal that FOLDER/hashes.txt names and compares the painting at its end:
+/* golden FOLDER [JOURNAL]: plays every journal that FOLDER/hashes.txt names, or one of them, and compares the painting at its
+ * end:
  *
  *     NAME TICKS HASH
  *
@@ -46,6 +47,9 @@ int main(int argc, char *argv[])
     snprintf(path, sizeof path, "%s/hashes.txt", argc > 1 ? argv[1] : ".");
     FILE *list = fopen(path, "r");
     while (list && fscanf(list, "%255s %" SCNd64 " %" SCNx64, name, &wanted_ticks, &wanted) == 3) {
+        if (argc > 2 && strcmp(name, argv[2]) != 0) {
+            continue;
+        }
         snprintf(path, sizeof path, "%s/%s", argv[1], name);
         bool good = play(path, &ticks, &hash) && ticks == wanted_ticks && hash == wanted;
         printf("%-6s %s %" PRId64 " %016" PRIx64 "\n", good ? "same" : "OTHER", name, ticks, hash);

@@ -13,14 +13,14 @@ enum { SIDE = 256, TICKS = 700 };
 static void grow_on_gpu(struct subject *subject, const struct painting_def *def)
 {
     struct display_def display_def = display_default_def();
-    struct display_error display_error;
+    struct device_error device_error;
     struct shader_error error;
     struct checkpoint checkpoint;
     display_def.kind = DISPLAY_HEADLESS;
     display_def.width = display_def.height = 16;
-    struct display *display = display_create(&display_def, &display_error);
+    struct display *display = display_create(&display_def, &device_error);
     if (!display || !display_begin(display)) {
-        figure_stop("display", display ? "not to be drawn to" : display_error.text);
+        figure_stop("display", display ? "not to be drawn to" : device_error.text);
     }
     struct engine *engine = engine_gpu_create(def, NULL, &error);
     if (!engine || !checkpoint_init(&checkpoint, def)) {

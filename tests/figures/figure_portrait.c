@@ -11,13 +11,13 @@
 
 enum { SIDE = 416, SHOWN = 640, TICKS = 420, GAP = 11, MOVED = 36, BLUR = 3 };
 
-struct canvas {
+struct board {
     float dark[SIDE * SIDE], thin[SIDE * SIDE], along[2 * SIDE * SIDE]; /* rasters of the structure */
     float picture[SIDE * SIDE];                                         /* how dark the picture is */
     float inked[SIDE * SIDE], work[SIDE * SIDE];
 };
 
-static void read_picture(struct script_picture *picture, struct canvas *canvas)
+static void read_picture(struct script_picture *picture, struct board *board)
 {
     char folder[1200], path[1300];
     struct image image;
@@ -33,7 +33,7 @@ static void read_picture(struct script_picture *picture, struct canvas *canvas)
     }
     float *small = fit_linear(&image, SIDE, SIDE);
     for (int i = 0; small && i < SIDE * SIDE; i++) {
-        canvas->picture[i] = 1 - ink_encode(small[4 * i + 1]);
+        board->picture[i] = 1 - ink_encode(small[4 * i + 1]);
     }
     if (!small || image.channels < 3) {
         figure_stop("portrait", "no memory, or no colours");
@@ -42,17 +42,17 @@ static void read_picture(struct script_picture *picture, struct canvas *canvas)
     *picture = (struct script_picture){image.width, image.height, image.channels, image.values}; /* owned now */
 }
 
-static void grow(struct canvas *canvas)
+static void grow(struct board *board)
 {
     struct script_picture picture;
     struct growth_def growth = growth_preset(METAPHOR_INK, false);
     const struct structure_def wide = {.detail = 512, .width = 1.6f, .fade = 6}, thin = {.detail = 512};
     growth.endpoints = 2600;
     growth.gradient = 4;
-    read_picture(&picture, canvas);
-    if (!structure_raster(&picture, &growth, &wide, STRUCTURE_DARK, SIDE, SIDE, canvas->dark) ||
-        !structure_raster(&picture, &growth, &thin, STRUCTURE_DARK, SIDE, SIDE, canvas->thin) ||
-        !structure_raster(&picture, &growth, &wide, STRUCTURE_ALONG, SIDE, SIDE, canvas->along)) {
+    read_picture(&picture, board);
+    if (!structure_raster(&picture, &growth, &wide, STRUCTURE_DARK, SIDE, SIDE, board->dark) ||
+        !structure_raster(&picture, &growth, &thin, STRUCTURE_DARK, SIDE, SIDE, board->thin) ||
+        !structure_raster(&picture, &growth, &wide, STRUCTURE_ALONG, SIDE, SIDE, board->along)) {
         figure_stop("portrait", "no memory");
     }
     free(picture.values);
@@ -65,10 +65,10 @@ static struct action laid(enum action_verb verb, const float *raster, int channe
     return action;
 }
 
-static void lay_structure(struct subject *subject, const struct canvas *canvas)
+static void lay_structure(struct subject *subject, const struct board *board)
 {
-    struct action mask = laid(ACTION_MASK, canvas->dark, 1), guide = laid(ACTION_GUIDE, canvas->along, 2);
-    struct action solvent = laid(ACTION_BRUSH_SOLVENT, canvas->dark, 1), line = laid(ACTION_DRAW, canvas->thin, 1);
+    struct action mask = laid(ACTION_MASK, board->dark, 1), guide = laid(ACTION_GUIDE, board->along, 2);
+    struct action solvent = laid(ACTION_BRUSH_SOLVENT, board->dark, 1), line = laid(ACTION_DRAW, board->thin, 1);
     mask.invert = true;
     guide.strength = 0.6f;
     solvent.amount = 6;
@@ -82,7 +82,7 @@ static void lay_structure(struct subject *subject, const struct canvas *canvas)
 }
 
 /* Small drops on branches of the sitter, GAP cells apart; what is behind her stays paper. */
-static int drop_on_branches(struct subject *subject, const struct canvas *canvas)
+static int drop_on_branches(struct subject *subject, const struct board *board)
 {
     static struct point at[2000];
     int count = 0;
@@ -92,7 +92,7 @@ static int drop_on_branches(struct subject *subject, const struct canvas *canvas
             bool sitter = (u > 0.25f && u < 0.77f && v > 0.35f && v < 0.86f) ||
                           hypotf((u - 0.51f) / 0.26f, (v - 0.36f) / 0.29f) < 1 ||
                           v > 0.79f + 1.35f * (u - 0.5f) * (u - 0.5f);
-            bool free = sitter && canvas->dark[y * SIDE + x] < 0.3f && count < 2000;
+            bool free = sitter && board->dark[y * SIDE + x] < 0.3f && count < 2000;
             for (int i = 0; i < count && free; i++) {
                 free = hypotf(at[i].x - u, at[i].y - v) * SIDE >= GAP;
             }
@@ -101,7 +101,7 @@ static int drop_on_branches(struct subject *subject, const struct canvas *canvas
                 drop.radius = 2;
                 drop.solvent = 50;
                 drop.amount = 50;
-                drop.ink = v > 0.8f ? 0 : canvas->picture[y * SIDE + x] > 0.45f ? 3 : 1;
+                drop.ink = v > 0.8f ? 0 : board->picture[y * SIDE + x] > 0.45f ? 3 : 1;
                 painting_act(subject->painting, &drop);
                 at[count++] = (struct point){u, v};
             }
@@ -110,7 +110,7 @@ static int drop_on_branches(struct subject *subject, const struct canvas *canvas
     return count;
 }
 
-static void blur(struct canvas *canvas, float *plane)
+static void blur(struct board *board, float *plane)
 {
     for (int pass = 0; pass < 2; pass++) {
         for (int i = 0; i < SIDE * SIDE; i++) {
@@ -123,9 +123,9 @@ static void blur(struct canvas *canvas, float *plane)
                     count++;
                 }
             }
-            canvas->work[i] = sum / (float)count;
+            board->work[i] = sum / (float)count;
         }
-        memcpy(plane, canvas->work, sizeof canvas->work);
+        memcpy(plane, board->work, sizeof board->work);
     }
 }
 
@@ -144,24 +144,24 @@ static double correlate(const float *a, const float *b, int moved)
 }
 
 /* Growth keeps to the structure, fills most of what lies under her outline, and has her tones. */
-static void check(struct figure *figure, struct subject *subject, struct canvas *canvas)
+static void check(struct figure *figure, struct subject *subject, struct board *board)
 {
     const float *depth = subject_depth(subject);
     int outside = 0, grown = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
         bool carved = depth[i] > 0.1f;
-        outside += carved && canvas->dark[i] >= 0.5f;
+        outside += carved && board->dark[i] >= 0.5f;
         grown += carved;
-        canvas->inked[i] = carved;
-        canvas->thin[i] = 1 - canvas->dark[i];
+        board->inked[i] = carved;
+        board->thin[i] = 1 - board->dark[i];
     }
     figure_check(figure, outside == 0 && grown > SIDE * SIDE / 12, "%d cells have grown, %d of them off the structure",
                  grown, outside);
-    blur(canvas, canvas->inked);
-    blur(canvas, canvas->thin);
-    blur(canvas, canvas->picture);
-    double branches = correlate(canvas->inked, canvas->thin, 0), there = correlate(canvas->inked, canvas->picture, 0);
-    double moved = correlate(canvas->inked, canvas->picture, MOVED);
+    blur(board, board->inked);
+    blur(board, board->thin);
+    blur(board, board->picture);
+    double branches = correlate(board->inked, board->thin, 0), there = correlate(board->inked, board->picture, 0);
+    double moved = correlate(board->inked, board->picture, MOVED);
     figure_check(figure, branches > 0.6, "growth beside its structure: correlation %.2f", branches);
     figure_check(figure, there > 0.45 && there > moved + 0.1,
                  "growth beside the darks of the picture: correlation %.2f, moved by %d cells %.2f", there, MOVED,
@@ -170,24 +170,24 @@ static void check(struct figure *figure, struct subject *subject, struct canvas 
 
 void figure_portrait(struct figure *figure)
 {
-    struct canvas *canvas = calloc(1, sizeof *canvas);
+    struct board *board = calloc(1, sizeof *board);
     struct painting_def def = subject_def(SIDE);
     struct subject subject = subject_create(&def);
     static const char *const INKS[] = {"phthalo turquoise", "burnt sienna", "ochre", "carbon black"};
     struct sheet *sheet = sheet_create(figure, "A portrait as growing ink", 3, 1, SHOWN);
-    if (!canvas) {
+    if (!board) {
         figure_stop("portrait", "no memory");
     }
     for (int i = 0; i < INK_PALETTE; i++) {
         subject.inks[i] = ink_find(INKS[i]);
     }
-    grow(canvas);
-    lay_structure(&subject, canvas);
-    int drops = drop_on_branches(&subject, canvas);
+    grow(board);
+    lay_structure(&subject, board);
+    int drops = drop_on_branches(&subject, board);
     subject_run(&subject, 60);
     subject_show_ink(&subject, sheet, SUBJECT_LIT, "%d drops on her structure, after 60 ticks", drops);
     subject_run(&subject, TICKS - 60);
-    check(figure, &subject, canvas);
+    check(figure, &subject, board);
     struct action unmask = action_default(ACTION_UNMASK), still = action_default(ACTION_SET);
     still.coefficient = (int)(key_find(coefficient_keys, "s_max") - coefficient_keys);
     painting_act(subject.painting, &unmask);
@@ -196,5 +196,5 @@ void figure_portrait(struct figure *figure)
     subject_show_depth(&subject, sheet, "what has grown");
     sheet_finish(sheet);
     subject_finish(&subject);
-    free(canvas);
+    free(board);
 }

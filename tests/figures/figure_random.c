@@ -4,7 +4,6 @@
 
 #include "brush.h"
 #include "figure.h"
-#include "growth.h"
 #include "random.h"
 #include "subject.h"
 
@@ -62,8 +61,8 @@ static int count_of(const struct key *key)
             count++;
         }
     }
-    if (key->type == KEY_GROWTH) {
-        return key_count(growth_keys);
+    if (key->type == KEY_OPTION) {
+        return key_count(action_options(key));
     }
     return key->type == KEY_COEFFICIENT ? key_count(coefficient_keys) : key->type == KEY_INK ? PAINTING_INKS : count;
 }

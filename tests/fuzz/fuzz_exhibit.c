@@ -80,8 +80,8 @@ static void check_scenes(const struct exhibit *exhibit)
         const struct exhibit_scene *scene = &exhibit->scenes[i];
         const struct script *script = scene->script;
         assert(scene->id && *scene->id && script);
-        assert(script->width >= PAINTING_SIZE_MIN && script->width <= PAINTING_SIZE_MAX);
-        assert(script->height >= PAINTING_SIZE_MIN && script->height <= PAINTING_SIZE_MAX);
+        assert(script->width >= CANVAS_SIZE_MIN && script->width <= CANVAS_SIZE_MAX);
+        assert(script->height >= CANVAS_SIZE_MIN && script->height <= CANVAS_SIZE_MAX);
         assert(script->ink_count >= 1 && script->ink_count <= PAINTING_INKS && script->action_count == 0);
         for (int k = 0; k < script->ink_count; k++) {
             assert(script->inks[k] >= 0 && inks[script->inks[k]].name);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "controls.h"
+#include "device_class.h"
 #include "stroke.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -45,11 +46,15 @@ static void check_turn(const struct binding *binding)
 
 static void check_binding(const struct inputs *inputs, const struct binding *binding)
 {
-    assert(binding->source >= 0 && binding->source < BINDING_SOURCES);
     assert(binding->when >= 0 && binding->when < BINDING_WHENS && binding->ms >= 1 && binding->ms <= INPUTS_MS_MAX);
     assert(binding->device >= -1 && binding->device < INPUTS_CONTROLLERS);
-    assert(binding->source != BINDING_KEY || binding->device < inputs->keyboard_count);
-    assert(binding->source != BINDING_BUTTON || binding->control < (uint32_t)inputs->button_count);
+    int devices = 0;
+    char name[200];
+    if (binding->source && binding->source->devices) {
+        binding->source->devices(inputs, &devices);
+    }
+    assert(binding->device < devices);
+    assert(!binding->source || binding->source->name(inputs, binding->control, name, sizeof name));
     if (binding->what == DO_VERB) {
         assert(binding->action.verb < ACTION_VERBS && binding->action.path.count <= STROKE_POINTS);
     } else if (binding->what == DO_TURN) {
@@ -62,20 +67,15 @@ static void check_binding(const struct inputs *inputs, const struct binding *bin
 /* Every binding hears something, and whatever comes of it is legal. */
 static void shake(const struct inputs *inputs)
 {
-    static const enum event_source SOURCES[] = {[BINDING_TOUCH] = SOURCE_TOUCH,
-                                                [BINDING_USAGE] = SOURCE_HID,
-                                                [BINDING_BUTTON] = SOURCE_GPIO,
-                                                [BINDING_ENCODER] = SOURCE_GPIO,
-                                                [BINDING_KEY] = SOURCE_KEY};
     struct controls_def def = {.inputs = inputs, .inks = 2, .coefficients = coefficients_default()};
     struct controls *controls = controls_create(&def);
     uint64_t time_us = 1000000;
     assert(controls);
     for (int i = 0; i < 4 * inputs->binding_count; i++) {
         const struct binding *binding = &inputs->bindings[i % inputs->binding_count];
-        bool touch = binding->source == BINDING_TOUCH;
+        bool touch = !binding->source;
         struct event event = {.kind = touch ? (i & 4 ? EVENT_UP : EVENT_DOWN) : EVENT_CONTROL,
-                              .source = SOURCES[binding->source],
+                              .source = touch ? SOURCE_TOUCH : binding->source->source,
                               .device = 1,
                               .slot = i & 1,
                               .x = 0.4f + 0.01f * (float)(i & 7),
@@ -104,8 +104,8 @@ static void shake(const struct inputs *inputs)
         assert(wish.kind >= 0 && wish.kind < WISHES && wish.visitor >= 1);
     }
     struct event left = {.kind = EVENT_LEFT, .device = 1, .time_us = time_us};
-    for (size_t i = 0; i < sizeof SOURCES / sizeof *SOURCES; i++) {
-        left.source = SOURCES[i];
+    for (int source = 0; source <= SOURCE_FAKE; source++) {
+        left.source = (enum event_source)source;
         controls_feel(controls, &left);
     }
     assert(!controls_are_held(controls));

@@ -23,7 +23,7 @@ static struct source *create(void)
     static const struct gpio_encoder_def encoder = {
         .name = "dial", .a = {.chip = "board", .offset = 2}, .b = {.chip = "board", .offset = 3}, .steps = 4};
     static const struct gpio_lamp_def lamp = {.name = "glow", .line = {.chip = "board", .offset = 4}};
-    struct source_error error;
+    struct device_error error;
     struct source *source = source_gpio_create(&(struct source_gpio_def){.buttons = buttons,
                                                                          .button_count = 2,
                                                                          .encoders = &encoder,

@@ -26,7 +26,7 @@ static struct source *create(void)
         {.lamp = 0, .match = {.name = "Space"}, .usage = HID_USAGE(HID_PAGE_LED, 0x4b)},
         {.lamp = 1, .match = {.name = "Board"}, .bit = 16, .bits = 8},
     };
-    struct source_error error;
+    struct device_error error;
     struct source *source = source_hid_create(
         &(struct source_hid_def){
             .devices = &board, .device_count = 1, .lamps = lamps, .lamp_count = 2, .controllers = true},
@@ -63,8 +63,8 @@ static void say_devices(const struct source *source)
     struct device devices[16];
     int count = source->ops->devices(source, devices, 16);
     for (int i = 0; i < count && i < 16; i++) {
-        printf("device %u '%s' %04x:%04x %s class %d %s %s\n", devices[i].id, devices[i].name, devices[i].vendor,
-               devices[i].product, devices[i].path, (int)devices[i].class, devices[i].admitted ? "admitted" : "ignored",
+        printf("device %u '%s' %04x:%04x %s class %s %s %s\n", devices[i].id, devices[i].name, devices[i].vendor,
+               devices[i].product, devices[i].path, devices[i].class, devices[i].admitted ? "admitted" : "ignored",
                devices[i].trouble);
     }
 }

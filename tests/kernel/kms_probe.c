@@ -408,7 +408,7 @@ static bool show_frames(struct probe *probe)
 
 static bool renew(struct probe *probe)
 {
-    struct display_error error = {""};
+    struct device_error error = {""};
     display_inject_reset(probe->display);
     if (!display_lost(probe->display) || display_begin(probe->display)) {
         return fail("a loss of the context goes unnoticed");
@@ -422,7 +422,7 @@ static bool renew(struct probe *probe)
 
 static bool start(struct probe *probe)
 {
-    struct display_error error = {""};
+    struct device_error error = {""};
     if (probe->start_unplugged && !write_connector(probe, "off")) {
         return false;
     }

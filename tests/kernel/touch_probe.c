@@ -29,7 +29,7 @@ static struct source *create(int argc, char *argv[])
     static const uint32_t keys[] = {KEY_F1};
     static struct source_touch_device_def staff = {.keys = true};
     struct source_touch_def def = {.width = 1000, .height = 1000, .touchscreens = true};
-    struct source_error error;
+    struct device_error error;
     for (int i = 1; i < argc; i++) {
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (strcmp(argv[i], "--pointers") == 0) {
@@ -90,11 +90,10 @@ static void say_event(struct seen *seen, const struct event *event)
 
 static void say_devices(const struct source *source)
 {
-    static const char *const classes[] = {"touchscreen", "pointer", "keyboard"};
     struct device devices[SOURCE_TOUCH_DEVICES];
     int found = source->ops->devices(source, devices, SOURCE_TOUCH_DEVICES);
     for (int i = 0; i < found; i++) {
-        printf("listed %s '%s' %04x:%04x %s %s%s%s\n", classes[devices[i].class], devices[i].name, devices[i].vendor,
+        printf("listed %s '%s' %04x:%04x %s %s%s%s\n", devices[i].class, devices[i].name, devices[i].vendor,
                devices[i].product, devices[i].path, devices[i].admitted ? "admitted" : "not admitted",
                devices[i].trouble[0] ? ": " : "", devices[i].trouble);
     }

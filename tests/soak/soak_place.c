@@ -136,6 +136,17 @@ void soak_write_exhibit(struct soak *soak, bool in_place)
     }
 }
 
+static bool are_plugged_in(const struct sources *sources)
+{
+    const struct source *source = NULL;
+    for (int i = 0; (source = sources_at(sources, i)); i++) {
+        if (strcmp(source->ops->name, "fake") == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* The devices that are not there, whenever the kiosk has begun with other inputs. */
 static void plug_in(struct soak *soak)
 {
@@ -149,11 +160,11 @@ static void plug_in(struct soak *soak)
     static const enum event_source kinds[SOAK_SOURCES] = {SOURCE_TOUCH, SOURCE_HID, SOURCE_GPIO};
     struct sources *sources = soak->live.input.sources;
     int fds[SOURCES_MAX];
-    if (!sources || sources_find(sources, "fake")) {
+    if (!sources || are_plugged_in(sources)) {
         return;
     }
     for (int i = 0; i < SOAK_SOURCES; i++) {
-        struct source_error error = {""};
+        struct device_error error = {""};
         soak->fakes[i] = source_fake_create(
             &(struct source_fake_def){.source = kinds[i], .devices = devices[i], .device_count = DEVICES}, &error);
         if (!soak->fakes[i] || !sources_add(sources, soak->fakes[i])) {
@@ -215,7 +226,7 @@ static struct exhibit *read_exhibit(struct soak *soak)
 bool soak_open(struct soak *soak, uint32_t seed)
 {
     struct display_def display_def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     *soak = (struct soak){.random = seed ? seed : 1, .began_us = now_us()};
     setenv("TZ", "UTC", 1);
     if (!make_folders(soak)) {

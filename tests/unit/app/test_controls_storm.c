@@ -29,7 +29,7 @@ static uint64_t storm_clock(void *user)
 
 static struct source *make_fake(struct place *place, enum event_source kind)
 {
-    struct source_error error;
+    struct device_error error;
     struct source *source =
         source_fake_create(&(struct source_fake_def){.source = kind, .clock = storm_clock, .user = place}, &error);
     assert_non_null(source);

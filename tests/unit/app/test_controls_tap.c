@@ -37,9 +37,9 @@ static void assert_taken(struct place *place, enum action_verb verb, int visitor
 static void a_tap_does_what_the_tool_of_its_seat_does(void **state)
 {
     (void)state;
-    static const enum action_verb FIRST[TOOLS] = {ACTION_DROP, ACTION_BRUSH_SOLVENT, ACTION_GUIDE,  ACTION_POUR,
-                                                  ACTION_MASK, ACTION_REWIND,        ACTION_PLANT,  ACTION_TEND,
-                                                  ACTION_TEND, ACTION_STRIKE,        ACTION_STRIKE, ACTION_ATTRACT,
+    static const enum action_verb FIRST[TOOLS] = {ACTION_DROP, ACTION_BRUSH_SOLVENT, ACTION_GUIDE,   ACTION_POUR,
+                                                  ACTION_MASK, ACTION_REWIND,        ACTION_PLANT,   ACTION_TEND,
+                                                  ACTION_TEND, ACTION_STRIKE,        ACTION_ATTRACT, ACTION_ATTRACT,
                                                   ACTION_DOSE, ACTION_DOSE,          ACTION_DOSE};
     struct place place = open_seats(strchr(inputs_default_text(), '\n') + 1, SEATS, 2);
     for (int tool = 0; tool < TOOLS; tool++) {
@@ -51,8 +51,12 @@ static void a_tap_does_what_the_tool_of_its_seat_does(void **state)
         struct point at = place.action.has_at ? place.action.at : place.action.path.points[0];
         assert_near(at.x, 0.25, 1e-6);
         assert_near(at.y, 0.75, 1e-6);
-        bool path = tool == TOOL_BRUSH || tool == TOOL_REWIND || tool == TOOL_TEND || tool == TOOL_THIN;
+        bool path =
+            tool == TOOL_REPEL || tool == TOOL_BRUSH || tool == TOOL_REWIND || tool == TOOL_TEND || tool == TOOL_THIN;
         assert_int_equal(place.action.path.count, tool == TOOL_GUIDE || tool == TOOL_STROKE ? 2 : path);
+        if (tool == TOOL_REPEL) {
+            assert_true(place.action.amount < 0); /* it repels, and stays, as nobody holds it there */
+        }
         if (tool == TOOL_BRUSH) {
             assert_taken(&place, ACTION_BRUSH_INK, 1, 1); /* each tap takes the next ink, as fingers do */
         }

@@ -42,7 +42,7 @@ static void devices_are_listed_with_what_they_lack(void **state)
                                              .admitted = true,
                                              .trouble = "no permission; udev rule: X"},
                                             {.class = DEVICE_KEYBOARD, .name = "Keys", .path = "/dev/hidraw1"}};
-    struct source_error error;
+    struct device_error error;
     struct inputs *inputs = open_inputs();
     struct sources_def def = {.inputs = inputs, .look = true};
     struct sources *sources = sources_create(&def);

@@ -32,7 +32,7 @@ static int set_up(void **state)
 {
     struct bench_place *place = calloc(1, sizeof *place);
     struct display_def def = display_default_def();
-    struct display_error error;
+    struct device_error error;
     def.kind = DISPLAY_HEADLESS;
     def.width = def.height = 16;
     snprintf(place->folder, sizeof place->folder, "/tmp/frond-choice-XXXXXX");

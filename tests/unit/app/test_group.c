@@ -59,7 +59,10 @@ static void all_else_is_nothing(void **state)
     assert_false(heard(&HALL, "museum/frond/all/hours", "OPEN", &command));
     assert_false(heard(&HALL, "museum/frond/all/scene", "", &command));
     assert_false(heard(&HALL, "museum/frond/cellar/scene", "dawn", &command));
+    assert_false(heard(&HALL, "museum/frond/cellar/hours", "open", &command));
     assert_false(heard(&HALL, "museum/frond/hall/status", "dawn", &command));
+    assert_false(heard(&HALL, "museum/frond/hall/status", "open", &command));
+    assert_false(heard(&ALONE, "frond/all/hours", "closed", &command));
     assert_false(heard(&ALONE, "frond/all/scene", "dawn", &command));
     assert_int_equal(command.kind, GROUP_NOTHING);
 }

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "device_class.h"
 #include "exhibit.h"
 #include "inputs.h"
 #include "near.h"
@@ -53,7 +54,7 @@ static const struct script_case BAD[] = {
     {"a lamp of no button", BYTES("inputs: 1\ngpio: {lamps: [{id: a, line: GPIO1, button: red}]}\n"),
      "s.yaml:2:45: gpio.lamps[0].button: unknown button 'red'; there are none in gpio.buttons\n"},
     {"no source", BYTES("inputs: 1\nbindings:\n  - {drop: {}}\n"),
-     "s.yaml:3:5: bindings[0]: no source is given; one of touch, usage, button, encoder, key\n"},
+     "s.yaml:3:5: bindings[0]: no source is given; one of touch, key, usage, button, encoder\n"},
     {"no action", BYTES("inputs: 1\nbindings:\n  - {touch: tap}\n"),
      "s.yaml:3:5: bindings[0]: no action is given; one of " VERBS ", next_ink, finish, staff, next_tool, next_scene, "
      "next_language, next_picture, next_metaphor, next_kind, switch, cursor, turn, dial\n"},
@@ -114,7 +115,7 @@ static const struct script_case BAD[] = {
     {"turn of growth too far", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: gain, from: 0, to: 17}}\n"),
      "s.yaml:3:50: bindings[0].turn.to: 17 is out of range; 0 to 16 pixels\n"},
     {"turn of a place", BYTES("inputs: 1\nbindings:\n  - {usage: X, turn: {growth: fork, from: 0, to: 1}}\n"),
-     "s.yaml:3:31: bindings[0].turn.growth: fork is no single value; another option of frond grow\n"},
+     "s.yaml:3:31: bindings[0].turn.growth: fork is no single value; another option of trees\n"},
     {"length of what is not over",
      BYTES("inputs: 1\nbindings:\n  - {touch: press, drop: {}, "
            "length: {parameter: radius, from: 4, to: 9}}\n"),
@@ -248,7 +249,7 @@ static void a_file_becomes_what_it_says(void **state)
     assert_true(bindings[0].when == BINDING_MOVE && bindings[0].what == DO_DIAL);
     assert_true(bindings[1].when == PRESS_SHORT && bindings[1].ms == PRESS_LONG_MS && bindings[1].wait_ms == 500);
     assert_true(bindings[2].where == WHERE_SHEET && bindings[2].ms == 500);
-    assert_true(bindings[3].source == BINDING_ENCODER && bindings[3].control == 1); /* after the only button */
+    assert_true(bindings[3].source->turned && bindings[3].control == 1); /* after the only button */
     assert_true(bindings[4].when == PRESS_HOLD && bindings[4].where == WHERE_THERE);
     assert_int_equal(inputs->written_count, 5);
     inputs_destroy(inputs);
@@ -258,7 +259,7 @@ static int count_touches(const struct inputs *inputs, enum exhibit_tool tool)
 {
     int count = 0;
     for (int i = 0; i < inputs->binding_count; i++) {
-        count += inputs->bindings[i].source == BINDING_TOUCH && inputs->bindings[i].tool == (int)tool;
+        count += !inputs->bindings[i].source && inputs->bindings[i].tool == (int)tool;
     }
     return count;
 }
@@ -282,7 +283,7 @@ static void tools_without_a_binding_have_the_default_ones(void **state)
     }
     for (int i = 2; i < inputs->binding_count; i++) {
         const struct binding *binding = &inputs->bindings[i];
-        assert_true(binding->source == BINDING_TOUCH || (binding->what == DO_TURN && binding->option >= 0));
+        assert_true(!binding->source || (binding->what == DO_TURN && binding->option >= 0));
         assert_false(binding->has_length);
     }
     inputs_destroy(inputs);

@@ -39,14 +39,13 @@ static struct place open_place(struct kiosk *kiosk, const struct live_clock *clo
     struct display_def display_def = display_default_def();
     struct script_def script_def = script_default_def();
     struct studio_def studio_def = studio_default_def();
-    struct display_error display_error;
+    struct device_error device_error;
     struct studio_error studio_error;
-    struct source_error source_error;
     struct report report;
     display_def.kind = DISPLAY_HEADLESS;
     display_def.width = display_def.height = 64;
     display_def.refresh_mhz = REFRESH_MHZ;
-    place.display = display_create(&display_def, &display_error);
+    place.display = display_create(&display_def, &device_error);
     report_init(&report, "session");
     place.script = script_parse(SCRIPT, strlen(SCRIPT), ".", &script_def, &report);
     report_finish(&report);
@@ -57,7 +56,7 @@ static struct place open_place(struct kiosk *kiosk, const struct live_clock *clo
     assert_non_null(place.studio);
     assert_true(live_input_open(&place.input, place.script, place.display,
                                 &(struct live_input_def){.kiosk = kiosk, .clock = *clock}));
-    place.fake = source_fake_create(&(struct source_fake_def){.source = SOURCE_TOUCH}, &source_error);
+    place.fake = source_fake_create(&(struct source_fake_def){.source = SOURCE_TOUCH}, &device_error);
     assert_true(place.fake && sources_add(place.input.sources, place.fake));
     return place;
 }

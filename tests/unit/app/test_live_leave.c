@@ -29,7 +29,7 @@ static struct place *open_place(void)
 {
     struct place *place = calloc(1, sizeof *place);
     struct display_def def = display_default_def();
-    struct display_error error;
+    struct device_error error;
     assert_non_null(place);
     def.kind = DISPLAY_HEADLESS;
     def.width = WIDTH;

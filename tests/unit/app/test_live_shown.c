@@ -59,7 +59,7 @@ static struct place *open_place(const char *actions)
 {
     struct place *place = calloc(1, sizeof *place);
     struct display_def def = display_default_def();
-    struct display_error error;
+    struct device_error error;
     assert_non_null(place);
     def.kind = DISPLAY_HEADLESS;
     def.width = WIDTH;
@@ -100,9 +100,10 @@ static void settle(struct place *place, bool growing)
     while (!calm) {
         assert_true(bench_wall_s() < end_s && live_turn(&place->live));
         const struct live_scene_draw *draw = &place->live.scene_draw;
-        bool still = !draw->dish.drawer.type->moves(&draw->dish.drawer, NULL) &&
-                     !draw->bolts.drawer.type->moves(&draw->bolts.drawer, NULL);
-        calm = still && place->live.picture.picture && (growing || !draw->bolts.shown || draw->bolts.newest->calm) &&
+        bool still = !draw->dish.layer.drawer.type->moves(&draw->dish.layer.drawer, NULL) &&
+                     !draw->bolts.layer.drawer.type->moves(&draw->bolts.layer.drawer, NULL);
+        calm = still && place->live.picture.picture &&
+               (growing || !draw->bolts.layer.shown || draw->bolts.layer.newest->calm) &&
                (growing || (live_scene_is_calm(place->live.scene) && !live_scene_draw_moves(draw)));
     }
 }

@@ -78,9 +78,9 @@ static int remove_one(const char *path, const struct stat *status, int type, str
 static bool open_place(struct place *place)
 {
     struct display_def display_def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     struct script_def def = script_default_def();
-    struct source_error source_error;
+    struct device_error device_error;
     struct report report;
     def.load = pictures_load;
     display_def.kind = DISPLAY_HEADLESS;
@@ -101,7 +101,7 @@ static bool open_place(struct place *place)
     place->def.exhibit = exhibit;
     place->def.state = place->state;
     bool good = live_open(&place->live, exhibit->scenes[0].script, place->display, &place->def);
-    place->fake = source_fake_create(&(struct source_fake_def){.source = SOURCE_TOUCH}, &source_error);
+    place->fake = source_fake_create(&(struct source_fake_def){.source = SOURCE_TOUCH}, &device_error);
     return good && place->fake && sources_add(place->live.input.sources, place->fake);
 }
 

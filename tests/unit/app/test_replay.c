@@ -58,7 +58,7 @@ static int set_up(void **state)
 {
     struct place *place = calloc(1, sizeof *place);
     struct display_def def = display_default_def();
-    struct display_error error;
+    struct device_error error;
     def.kind = DISPLAY_HEADLESS;
     def.width = def.height = 16;
     place->display = display_create(&def, &error);

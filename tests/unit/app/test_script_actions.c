@@ -172,6 +172,12 @@ static const struct script_case ACTIONS[] = {
            "actions:\n"
            "  - {tick: 1, mask: {}}\n"),
      "s.yaml:4:21: actions[0].mask: no place is given; at, a path, a formula or a picture\n"},
+    {"strike nowhere",
+     BYTES("frond: 1\n"
+           "inks: [cyan, magenta]\n"
+           "actions:\n"
+           "  - {tick: 1, strike: {}}\n"),
+     "s.yaml:4:23: actions[0].strike: no place is given; at, a formula or a picture\n"},
     {"rinse nowhere",
      BYTES("frond: 1\n"
            "inks: [cyan, magenta]\n"

@@ -26,9 +26,9 @@ static void a_canvas_stays_one_that_can_be_painted(void **state)
     (void)state;
     struct script narrow = {.width = 32, .height = 32}, large = {.width = 4000, .height = 4000};
     script_fit(&narrow, 8000, 10);
-    assert_int_equal(narrow.height, PAINTING_SIZE_MIN);
+    assert_int_equal(narrow.height, CANVAS_SIZE_MIN);
     script_fit(&large, 8000, 1000);
-    assert_int_equal(large.width, PAINTING_SIZE_MAX);
+    assert_int_equal(large.width, CANVAS_SIZE_MAX);
 }
 
 int main(void)

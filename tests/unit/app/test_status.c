@@ -39,7 +39,7 @@ static struct status sample(void)
     status_frame(&status.frames, 0.0167);
     status_frame(&status.frames, 0.0333);
     status_frame(&status.frames, 7);
-    status.devices[0] = (struct status_device){.class = "touch", .admitted = true, .works = true};
+    status.devices[0] = (struct status_device){.class = "touchscreen", .admitted = true, .works = true};
     status_word(status.devices[0].name, "A \"quoted\\\" name\n");
     status.devices[1] = status.devices[0]; /* two of a kind */
     status.devices[1].works = false;
@@ -192,8 +192,8 @@ static void metrics_are_read(void **state)
     assert_value(&metrics, "frond_gallery_pictures", 8);
     assert_value(&metrics, "frond_exhibit_errors_total", 2);
     assert_value(&metrics, "frond_exhibit_wrong", 1);
-    assert_value(&metrics, "frond_device_works{device=\"0\",class=\"touch\",name=\"A \\\"quoted\\\\\\\" name \"}", 1);
-    assert_value(&metrics, "frond_device_works{device=\"1\",class=\"touch\",name=\"A \\\"quoted\\\\\\\" name \"}", 0);
+    assert_value(&metrics, "frond_device_works{device=\"0\",class=\"touchscreen\",name=\"A \\\"quoted\\\\\\\" name \"}", 1);
+    assert_value(&metrics, "frond_device_works{device=\"1\",class=\"touchscreen\",name=\"A \\\"quoted\\\\\\\" name \"}", 0);
 }
 
 static void what_is_not_known_has_no_sample(void **state)

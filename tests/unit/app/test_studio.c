@@ -37,7 +37,7 @@ static int set_up(void **state)
     struct place *place = calloc(1, sizeof *place);
     struct display_def def = display_default_def();
     struct script_def script_def = script_default_def();
-    struct display_error error;
+    struct device_error error;
     struct report report;
     def.kind = DISPLAY_HEADLESS;
     def.width = def.height = 16;
@@ -151,7 +151,7 @@ static void the_gpu_paints_the_script_and_what_is_posted(void **state)
 
 static void comes_back(struct place *place, enum engine_kind engine)
 {
-    struct display_error display_error;
+    struct device_error device_error;
     struct studio_error error;
     open_studio(place, engine);
     wait_end(place);
@@ -163,7 +163,7 @@ static void comes_back(struct place *place, enum engine_kind engine)
     display_inject_reset(place->display);
     assert_true(display_lost(place->display));
     studio_suspend(place->studio);
-    assert_true(display_renew(place->display, &display_error));
+    assert_true(display_renew(place->display, &device_error));
     assert_false(display_lost(place->display));
     assert_true(studio_resume(place->studio, place->display, &error));
     /* What was painted before the newest checkpoint, and what was posted after it. */
@@ -405,7 +405,7 @@ static void another_script_keeps_the_painting_of_the_gpu(void **state)
 static void undo_survives_a_reset(void **state)
 {
     struct place *place = *state;
-    struct display_error display_error;
+    struct device_error device_error;
     struct studio_error error;
     open_studio(place, ENGINE_GPU);
     wait_end(place);
@@ -416,7 +416,7 @@ static void undo_survives_a_reset(void **state)
     display_inject_reset(place->display);
     assert_true(display_lost(place->display));
     studio_suspend(place->studio);
-    assert_true(display_renew(place->display, &display_error));
+    assert_true(display_renew(place->display, &device_error));
     assert_true(studio_resume(place->studio, place->display, &error));
     becomes(place, 0.5f, 0.5f, 0.5f, 3);
     becomes(place, 0.8f, 0.8f, 0, 0.01f);

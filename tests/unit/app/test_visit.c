@@ -389,6 +389,24 @@ static void time_stands_still_in_the_staffs_view(void **state)
     }
 }
 
+/* A hand that lay there before the staff looked is as good afterwards as it was. */
+static void a_hand_that_rests_outlasts_the_staffs_view(void **state)
+{
+    (void)state;
+    uint64_t now;
+    struct visit visit = in_state(VISIT_PAINTING, true, 0, &now);
+    visit_feel(&visit, VISIT_PAINT, now);
+    visit_feel(&visit, VISIT_STAFF, now);
+    now += 2 * VISIT_HOLD_S * S;
+    visit_feel(&visit, VISIT_STAFF, now);
+    for (float s = 0; s < visit.times.idle + 10; s++) {
+        now += S;
+        visit_feel(&visit, VISIT_HOLD, now);
+        visit_run(&visit, now);
+        assert_int_equal(visit.state, VISIT_PAINTING);
+    }
+}
+
 static void the_staffs_view_goes_by_itself(void **state)
 {
     (void)state;
@@ -533,6 +551,7 @@ int main(void)
         cmocka_unit_test(hands_that_still_paint_do_not_end_the_thanks),
         cmocka_unit_test(a_hand_that_rests_does_not_keep_a_visit_for_ever),
         cmocka_unit_test(time_stands_still_in_the_staffs_view),
+        cmocka_unit_test(a_hand_that_rests_outlasts_the_staffs_view),
         cmocka_unit_test(the_staffs_view_goes_by_itself),
         cmocka_unit_test(closing_time_waits_for_a_picture),
         cmocka_unit_test(a_touch_wakes_what_is_closed_for_a_while),

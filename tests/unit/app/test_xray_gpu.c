@@ -79,7 +79,7 @@ static void palettes_rise(void **state)
 static struct display *open_display(int width, int height, int rotation)
 {
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     def.kind = DISPLAY_HEADLESS;
     def.width = rotation % 180 ? height : width;
     def.height = rotation % 180 ? width : height;

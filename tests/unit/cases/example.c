@@ -42,12 +42,13 @@ static const struct key *table(const struct inputs_table *tables, const char *na
 
 static void add_verbs(struct example *example)
 {
+    struct inputs_tables inputs;
     for (int i = 0; i < ACTION_VERBS; i++) {
         enum action_verb verb = (enum action_verb)i;
         struct key keys[2] = {{.name = action_name(verb), .unit = "section", .meaning = action_meaning(verb)},
                               {.name = NULL}};
         char place[EXAMPLE_PLACE];
-        if (key_find(table(inputs_tables, "do"), keys->name)) {
+        if (key_find(table(inputs_tables_of(&inputs), "do"), keys->name)) {
             continue; /* the visitor's own, and no verb in a binding */
         }
         add(example, "inputs.bindings[]", keys);
@@ -84,14 +85,15 @@ static void add_tables(struct example *example)
         {"length", "inputs.bindings[].length"},
     };
     struct key options[EXHIBIT_OPTIONS_KEYS], structure[SCRIPT_STRUCTURE_KEYS];
-    const struct inputs_table *const files[] = {exhibit_tables, inputs_tables};
+    struct inputs_tables inputs;
+    const struct inputs_table *const files[] = {exhibit_tables, inputs_tables_of(&inputs)};
     for (int f = 0; f < 2; f++) {
         for (const struct inputs_table *one = files[f]; one->name; one++) {
             const char *place = one->name;
             for (size_t i = 0; i < sizeof PLACES / sizeof *PLACES; i++) {
                 place = strcmp(PLACES[i][0], one->name) == 0 ? PLACES[i][1] : place;
             }
-            add(example, place, one->keys + (one == inputs_tables ? 1 : 0));
+            add(example, place, one->keys + (one == inputs.tables ? 1 : 0));
         }
     }
     add(example, "scenes[].painting", coefficient_keys);

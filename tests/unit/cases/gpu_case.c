@@ -11,7 +11,7 @@
 struct display *gpu_display(void)
 {
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     def.kind = DISPLAY_HEADLESS;
     def.width = def.height = 16;
     struct display *display = display_create(&def, &error);

@@ -38,7 +38,7 @@ static void fill(const struct key *key, int seed, struct action *action, struct 
     struct point point = {0.1f + 0.13f * (float)(seed % 6), 0.9f - 0.11f * (float)(seed % 7)};
     struct action_path path = {values->points, 1 + seed % 3};
     struct action_raster raster = {values->values, 4, 3, 1 + seed % 2};
-    const struct key *options = action_options(key->type);
+    const struct key *options = action_options(key);
     switch (key->type) {
     case KEY_NUMBER:
         memcpy(at, &number, sizeof number);

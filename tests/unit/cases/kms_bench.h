@@ -11,7 +11,7 @@ enum { FRAME_US = 16667 };
 struct bench {
     struct fake fake;
     struct kms_screen screen;
-    struct display_error error;
+    struct device_error error;
     uint64_t now_us;
     uint32_t framebuffer;
 };

@@ -12,7 +12,7 @@
 struct display *picture_case_display(int width, int height, int rotation)
 {
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     bool sideways = rotation == 90 || rotation == 270;
     def.kind = DISPLAY_HEADLESS;
     def.width = sideways ? height : width;

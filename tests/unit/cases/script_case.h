@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "verbs.h"
+
 struct script_case {
     const char *name;
     const char *text; /* may hold NULs */
@@ -21,11 +23,10 @@ struct script_case {
 #define COEFFICIENTS                                                                                                   \
     "alpha_a, alpha_y, beta_a, beta_y, beta_p, k, xi0, noise, delta, s_max, seam, stencil, weight, beta_v, dt, "       \
     "pattern_steps, fluid_steps, omega, mu, gamma, flood, drying, rewetting, evaporation"
-#define VERBS                                                                                                          \
-    "drop, brush_solvent, brush_ink, draw, guide, pour, mask, unmask, dry, wet, rinse, set, clear, "                   \
-    "undo, redo, rewind, stock, shape, plant, tend, hold, strike, attract, conduct, dose, react, style"
-#define KEYS       "frond, canvas, seed, ticks, inks, palette, mode, painting, actions"
-#define EXPRESSION "x, y, pi, numbers, + - * / ^ ( ), < <= > >= == != && || ?:, and functions like sin(x)"
+#define AND(NAME, name) ", " #name
+#define VERBS           "drop" ACTION_OTHER_VERBS(AND)
+#define KEYS            "frond, canvas, seed, ticks, inks, palette, mode, painting, actions"
+#define EXPRESSION      "x, y, pi, numbers, + - * / ^ ( ), < <= > >= == != && || ?:, and functions like sin(x)"
 
 /* Runs every case and fails with the name of the first whose report differs. */
 void script_cases_check(const struct script_case *cases, size_t count);

@@ -246,6 +246,19 @@ static void make_pipe(struct touch_mock *mock, int number)
     pipes.count = number + 1;
 }
 
+/* Where umockdev, from 0.19 at the latest, finds udev's records instead of in /run. */
+static void make_record_folder(struct touch_mock *mock)
+{
+    char *root = umockdev_testbed_get_root_dir(mock->bed);
+    char *folder = g_build_filename(root, "run/udev/data", NULL);
+    if (g_mkdir_with_parents(folder, 0755) != 0) {
+        perror(folder);
+        abort();
+    }
+    g_free(folder);
+    g_free(root);
+}
+
 /* udev's record of a device that it has seen. */
 static void make_record(int number)
 {
@@ -391,6 +404,7 @@ struct touch_mock *touch_mock_create(void)
     }
     pipes.count = 0;
     pthread_mutex_init(&mock->mutex, NULL);
+    make_record_folder(mock);
     mock->handler = umockdev_ioctl_base_new();
     g_signal_connect(mock->handler, "handle-ioctl", G_CALLBACK(answer), mock);
     return mock;

@@ -21,7 +21,7 @@ enum { WIDTH = 64, HEIGHT = 40 };
 static struct display *open_display(int rotation, int refresh_mhz)
 {
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     def.kind = DISPLAY_HEADLESS;
     def.width = WIDTH;
     def.height = HEIGHT;
@@ -85,7 +85,7 @@ static void frames_come_at_the_pace_asked_for(void **state)
     assert_true(frames.last_us - start >= 190000);
     assert_int_equal(frames.presented - presented, 20);
     uint64_t missed = frames.missed;
-    while (display_now_us() < frames.last_us + 100000) { /* nobody draws */
+    while (source_now_us() < frames.last_us + 100000) { /* nobody draws */
         display_wait(display, 10);
     }
     draw(display, &pattern);
@@ -104,9 +104,9 @@ static void no_frames_in_the_dark(void **state)
     display_power(display, false);
     assert_int_equal(display_state(display), DISPLAY_DARK);
     assert_false(display_begin(display));
-    uint64_t start = display_now_us();
+    uint64_t start = source_now_us();
     display_wait(display, 30);
-    assert_true(display_now_us() - start >= 29000);
+    assert_true(source_now_us() - start >= 29000);
     assert_captured(display);
     display_power(display, true);
     assert_int_equal(display_state(display), DISPLAY_SHOWN);
@@ -119,7 +119,7 @@ static void a_lost_context_is_made_anew(void **state)
 {
     (void)state;
     struct display *display = open_display(90, 0);
-    struct display_error error = {""};
+    struct device_error error = {""};
     struct pattern pattern;
     uint8_t rgb[WIDTH * HEIGHT * 3];
     for (int i = 0; i < 3; i++) {
@@ -188,9 +188,9 @@ static void events_wait_until_they_are_asked_for(void **state)
     assert_false(display_event(display, &event));
     display_post(display, (struct event){.kind = EVENT_DOWN, .slot = 3});
     display_post(display, (struct event){.kind = EVENT_UP, .slot = 3});
-    uint64_t start = display_now_us();
+    uint64_t start = source_now_us();
     display_wait(display, 1000); /* something has happened: no waiting */
-    assert_true(display_now_us() - start < 500000);
+    assert_true(source_now_us() - start < 500000);
     assert_true(display_event(display, &event));
     assert_true(event.kind == EVENT_DOWN && event.slot == 3 && event.source == SOURCE_WINDOW);
     assert_true(display_event(display, &event));
@@ -207,13 +207,13 @@ static void other_devices_end_the_waiting(void **state)
     assert_int_equal(pipe(ends), 0);
     display_power(display, false);
     display_wake_on(display, ends, 1);
-    uint64_t start = display_now_us();
+    uint64_t start = source_now_us();
     display_wait(display, 30);
-    assert_true(display_now_us() - start >= 29000);
+    assert_true(source_now_us() - start >= 29000);
     assert_int_equal(write(ends[1], "x", 1), 1);
-    start = display_now_us();
+    start = source_now_us();
     display_wait(display, 5000);
-    assert_true(display_now_us() - start < 1000000);
+    assert_true(source_now_us() - start < 1000000);
     close(ends[0]);
     close(ends[1]);
     display_destroy(display);
@@ -223,7 +223,7 @@ static void definitions_are_checked(void **state)
 {
     (void)state;
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     def.kind = DISPLAY_HEADLESS;
     def.rotation = 45;
     assert_null(display_create(&def, &error));
@@ -246,7 +246,7 @@ static void without_a_screen_it_says_why(void **state)
 {
     (void)state;
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
     def.card = "/dev/dri/card77";

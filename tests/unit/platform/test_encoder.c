@@ -190,6 +190,21 @@ static void one_lost_step_in_a_detent_costs_nothing(void **state)
     }
 }
 
+/* Where every step is a detent no rest makes up for a lost one: it counts as it was, the way of the last. */
+static void a_lost_step_is_counted_where_every_step_is_a_detent(void **state)
+{
+    (void)state;
+    for (int way = -1; way <= 1; way += 2) {
+        struct turned turned;
+        start(&turned, 1, 0);
+        detents(&turned, way, 0, 5000);
+        turned.place = (turned.place + 2 + 4) % 4;
+        levels(&turned, 5000, circle[turned.place]);
+        assert_int_equal(turned.sum, 3 * way);
+        assert_int_equal(turned.encoder.errors, 1);
+    }
+}
+
 /* Frond started while somebody turned: it takes the wrong place for the detent, and finds out. */
 static void the_place_of_rest_is_learnt(void **state)
 {
@@ -228,6 +243,7 @@ int main(void)
         cmocka_unit_test(a_fast_spin_may_lose_steps_but_not_its_way),
         cmocka_unit_test(half_of_the_steps_tell_the_way_when_it_was_known),
         cmocka_unit_test(one_lost_step_in_a_detent_costs_nothing),
+        cmocka_unit_test(a_lost_step_is_counted_where_every_step_is_a_detent),
         cmocka_unit_test(the_place_of_rest_is_learnt),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -198,7 +198,7 @@ static const struct gpio_lamp_def lamp = {.name = "glow", .line = {.chip = "mock
 
 static struct source *create(void)
 {
-    struct source_error error;
+    struct device_error error;
     struct source *source = source_gpio_create(&(struct source_gpio_def){.buttons = buttons,
                                                                          .button_count = 2,
                                                                          .encoders = &encoder,

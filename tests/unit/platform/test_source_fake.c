@@ -21,7 +21,7 @@ static uint64_t told(void *user)
 
 static struct source *make(const struct source_fake_def *def)
 {
-    struct source_error error;
+    struct device_error error;
     struct source *source = source_fake_create(def, &error);
     if (!source) {
         fail_msg("%s", error.text);
@@ -141,7 +141,7 @@ static void test_wrong_definitions(void **state)
     (void)state;
     static const struct source_fake_step late[] = {{5, FAKE_ARRIVE, 0, {0}}, {4, FAKE_LEAVE, 0, {0}}};
     static const struct source_fake_step nobody[] = {{5, FAKE_ARRIVE, 1, {0}}};
-    struct source_error error;
+    struct device_error error;
     assert_null(source_fake_create(&(struct source_fake_def){.steps = late, .step_count = 2}, &error));
     assert_string_equal(error.text, "fake: step 1 is out of the order of time");
     assert_null(source_fake_create(&(struct source_fake_def){.steps = nobody, .step_count = 1}, &error));

@@ -46,7 +46,7 @@ static void plug_board(struct gpio_fake *fake, int number)
 
 static struct source *create(struct gpio_fake *fake, const struct source_gpio_def *wanted)
 {
-    struct source_error error;
+    struct device_error error;
     struct source *source = source_gpio_create_on(wanted, &gpio_fake_ops, fake, &error);
     assert_non_null(source);
     return source;
@@ -555,7 +555,7 @@ static void wrong_definitions_say_why(void **state)
         {{.line = {.chip = "board", .offset = 7}}, "lamp 'glow' wants the line that button 0 has"},
     };
     struct gpio_fake fake = {.now_us = 0};
-    struct source_error error;
+    struct device_error error;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct source_gpio_def wrong = {
             .buttons = &cases[i].button, .button_count = 1, .lamps = &lamp, .lamp_count = 1};

@@ -50,7 +50,7 @@ static int finish(void **state)
 
 static void open_source(struct bench *bench, const struct source_hid_def *def)
 {
-    struct source_error error;
+    struct device_error error;
     bench->source = source_hid_create(def, &error);
     assert_non_null(bench->source);
 }
@@ -166,7 +166,7 @@ static void test_gamepad(void **state)
     assert_string_equal(devices[0].path, "/dev/hidraw0");
     assert_string_equal(devices[0].port, "usb-mock-1-1/input0");
     assert_int_equal(devices[0].vendor, 0x1209);
-    assert_int_equal(devices[0].class, DEVICE_CONTROLLER);
+    assert_string_equal(devices[0].class, DEVICE_CONTROLLER);
     assert_true(devices[0].admitted && !devices[0].trouble[0]);
     const struct hid_descriptor *descriptor = source_hid_descriptor(bench->source, devices[0].id);
     assert_non_null(descriptor);
@@ -260,9 +260,9 @@ static void test_admission(void **state)
             fail_msg("%s is%s admitted", devices[i].name, devices[i].admitted ? "" : " not");
         }
     }
-    assert_int_equal(devices[0].class, DEVICE_KEYBOARD);
-    assert_int_equal(devices[2].class, DEVICE_POINTER);
-    assert_int_equal(devices[3].class, DEVICE_TOUCH);
+    assert_string_equal(devices[0].class, DEVICE_KEYBOARD);
+    assert_string_equal(devices[2].class, DEVICE_POINTER);
+    assert_string_equal(devices[3].class, DEVICE_TOUCH);
 
     int media = 1;
     REPORT(bench, media, 3, 0xe2, 0, 0, 0);

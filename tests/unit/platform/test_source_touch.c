@@ -51,7 +51,7 @@ static int tear_down(void **state)
 
 static void listen(struct bench *bench, const struct source_touch_def *def)
 {
-    struct source_error error;
+    struct device_error error;
     bench->source = source_touch_create(def, &error);
     if (!bench->source) {
         fail_msg("%s", error.text);
@@ -207,7 +207,7 @@ static void test_only_what_is_admitted(void **state)
     assert_int_equal(bench->source->ops->devices(bench->source, devices, 8), 5);
     for (int i = 0; i < 5; i++) {
         bool keyboard = strstr(devices[i].name, "Str") || strstr(devices[i].name, "Sta");
-        assert_int_equal(devices[i].class, keyboard ? DEVICE_KEYBOARD : DEVICE_POINTER);
+        assert_string_equal(devices[i].class, keyboard ? DEVICE_KEYBOARD : DEVICE_POINTER);
         assert_int_equal(devices[i].admitted, !strstr(devices[i].name, "vc4") && !strstr(devices[i].name, "Str"));
         assert_string_equal(devices[i].trouble, "");
     }

@@ -316,7 +316,7 @@ static void test_admission_by_entry(void **state)
 static void test_definition_is_checked_and_copied(void **state)
 {
     (void)state;
-    struct source_error error;
+    struct device_error error;
     char name[] = "panel";
     uint32_t keys[] = {KEY_F1};
     struct source_touch_device_def entry = {.match = {.name = name}, .keys = true};

@@ -31,7 +31,7 @@ struct scene {
 static void open_scene(struct scene *scene, enum display_kind kind, int rotation)
 {
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     def.kind = kind;
     def.width = WIDTH;
     def.height = HEIGHT;
@@ -54,17 +54,17 @@ static void turn_loop(struct scene *scene)
 
 static void draw_frames(struct scene *scene, int count)
 {
-    uint64_t until = display_frames(scene->display).presented + (uint64_t)count, end = display_now_us() + 10000000;
+    uint64_t until = display_frames(scene->display).presented + (uint64_t)count, end = source_now_us() + 10000000;
     while (display_frames(scene->display).presented < until) {
-        assert_true(display_now_us() < end);
+        assert_true(source_now_us() < end);
         turn_loop(scene);
     }
 }
 
 static bool await_state(struct scene *scene, enum display_state state)
 {
-    uint64_t end = display_now_us() + 3000000;
-    while (display_state(scene->display) != state && display_now_us() < end) {
+    uint64_t end = source_now_us() + 3000000;
+    while (display_state(scene->display) != state && source_now_us() < end) {
         turn_loop(scene);
     }
     return display_state(scene->display) == state;
@@ -92,7 +92,7 @@ static void use(const char *command)
 
 static bool await_event(struct scene *scene, enum event_kind kind, struct event *event)
 {
-    for (uint64_t end = display_now_us() + 3000000; display_now_us() < end;) {
+    for (uint64_t end = source_now_us() + 3000000; source_now_us() < end;) {
         while (display_event(scene->display, event)) {
             if (event->kind == kind) {
                 return true;
@@ -110,7 +110,7 @@ static void assert_finger(struct scene *scene, enum event_kind kind, float x, fl
     assert_int_equal(event.slot, 0);
     assert_true(event.x > x - .01f && event.x < x + .01f);
     assert_true(event.y > y - .01f && event.y < y + .01f);
-    assert_true(event.time_us > 0 && event.time_us <= display_now_us());
+    assert_true(event.time_us > 0 && event.time_us <= source_now_us());
 }
 
 static void a_window_shows_what_is_drawn(void **state)
@@ -174,8 +174,8 @@ static void it_follows_its_size(void **state)
     assert_captured(&scene);
     snprintf(command, sizeof command, "windowsize --sync %d %d", WIDER, HIGHER);
     use(command);
-    for (uint64_t end = display_now_us() + 3000000;
-         display_panel(scene.display).width != WIDER && display_now_us() < end;) {
+    for (uint64_t end = source_now_us() + 3000000;
+         display_panel(scene.display).width != WIDER && source_now_us() < end;) {
         turn_loop(&scene);
     }
     assert_int_equal(display_panel(scene.display).width, WIDER);
@@ -224,14 +224,14 @@ static void other_devices_end_the_waiting(void **state)
     assert_true(await_state(&scene, DISPLAY_LENT));
     assert_int_equal(pipe(ends), 0);
     display_wake_on(scene.display, ends, 1);
-    uint64_t start = display_now_us();
-    while (display_now_us() < start + 50000) {
+    uint64_t start = source_now_us();
+    while (source_now_us() < start + 50000) {
         display_wait(scene.display, 10);
     }
     assert_int_equal(write(ends[1], "x", 1), 1);
-    start = display_now_us();
+    start = source_now_us();
     display_wait(scene.display, 5000);
-    assert_true(display_now_us() - start < 1000000);
+    assert_true(source_now_us() - start < 1000000);
     close(ends[0]);
     close(ends[1]);
     display_destroy(scene.display);
@@ -323,7 +323,7 @@ static void a_lost_context_is_made_anew(void **state)
 {
     (void)state;
     struct scene scene;
-    struct display_error error = {""};
+    struct device_error error = {""};
     open_scene(&scene, DISPLAY_WINDOW, 180);
     for (int i = 0; i < 3; i++) {
         draw_frames(&scene, 2);

@@ -13,96 +13,47 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <GLES3/gl31.h>
-
 #include "bolt_case.h"
 #include "bolt_light_gpu.h"
-#include "display_rotation.h"
-#include "gpu_case.h"
-#include "texture.h"
+#include "panel_case.h"
 
 enum { WIDTH = 150, HEIGHT = 101, PIXELS = WIDTH * HEIGHT, COUNT = 400, WITHIN = 3 /* of 255 */ };
 
-/* A panel in memory, and what is to be seen on the sheet. */
+/* What is to be seen on the sheet of a panel. */
 struct bench {
-    struct display *display;
+    struct panel_case panel;
     struct bolt_light_gpu *light;
-    unsigned panel, framebuffer;
-    int panel_width, panel_height, rotation;
-    bool flipped;
     uint8_t sheet[PIXELS * 3], want[PIXELS * 3], have[PIXELS * 3];
 };
-
-/* Where in the framebuffer, in bytes of RGBA, a pixel of the sheet lies. */
-static size_t place_of(const struct bench *bench, int x, int y)
-{
-    rotation_pixel(bench->rotation, bench->panel_width, bench->panel_height, &x, &y);
-    int row = bench->flipped ? y : bench->panel_height - 1 - y;
-    return 4 * ((size_t)row * (size_t)bench->panel_width + (size_t)x);
-}
-
-static void make_context(struct bench *bench)
-{
-    struct shader_error error = {""};
-    bench->display = gpu_display();
-    bench->panel = texture_create(
-        &(struct texture_def){TEXTURE_RGBA8, TEXTURE_NEAREST, bench->panel_width, bench->panel_height, 0, false});
-    glGenFramebuffers(1, &bench->framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, bench->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, bench->panel, 0);
-    assert_int_equal(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-    bench->light = bolt_light_gpu_create(NULL, &error);
-    if (!bench->light) {
-        fail_msg("%s", error.text);
-    }
-}
-
-static void drop_context(struct bench *bench)
-{
-    bolt_light_gpu_destroy(bench->light);
-    glDeleteFramebuffers(1, &bench->framebuffer);
-    texture_delete(&bench->panel);
-    assert_int_equal(glGetError(), GL_NO_ERROR);
-    display_destroy(bench->display);
-}
 
 static struct bench *open_bench(int rotation, bool flipped)
 {
     static struct bench bench;
-    bench.rotation = rotation;
-    bench.flipped = flipped;
-    bench.panel_width = rotation % 180 ? HEIGHT : WIDTH;
-    bench.panel_height = rotation % 180 ? WIDTH : HEIGHT;
+    struct shader_error error = {""};
     for (uint32_t i = 0; i < PIXELS * 3; i++) { /* smooth, and all values */
         bench.sheet[i] = (uint8_t)(128 + 127 * sinf((float)i * 0.0123f));
     }
-    make_context(&bench);
+    bench.panel = panel_case_make(WIDTH, HEIGHT, rotation, flipped);
+    bench.light = bolt_light_gpu_create(NULL, &error);
+    if (!bench.light) {
+        fail_msg("%s", error.text);
+    }
     return &bench;
+}
+
+static void close_bench(struct bench *bench)
+{
+    bolt_light_gpu_destroy(bench->light);
+    panel_case_finish(&bench->panel);
 }
 
 static void present(struct bench *bench, const struct bolt_view *view, double tick)
 {
-    float turn[4];
-    static uint8_t bytes[PIXELS * 4];
-    for (int i = 0; i < PIXELS; i++) {
-        uint8_t *pixel = bytes + place_of(bench, i % WIDTH, i / WIDTH);
-        memcpy(pixel, bench->sheet + 3 * (size_t)i, 3);
-        pixel[3] = 255;
-    }
-    texture_upload(bench->panel, &(struct texture_def){.format = TEXTURE_RGBA8}, 0, 0, 0, bench->panel_width,
-                   bench->panel_height, bytes);
-    rotation_matrix(bench->rotation, bench->flipped, turn);
-    assert_true(bolt_light_gpu_present(bench->light, view, tick, bench->framebuffer, bench->panel_width,
-                                       bench->panel_height, turn));
-    assert_false(glIsEnabled(GL_BLEND) || glIsEnabled(GL_DEPTH_TEST));
-    glBindFramebuffer(GL_FRAMEBUFFER, bench->framebuffer);
-    glReadPixels(0, 0, bench->panel_width, bench->panel_height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
-    for (int i = 0; i < PIXELS; i++) {
-        const uint8_t *pixel = bytes + place_of(bench, i % WIDTH, i / WIDTH);
-        memcpy(bench->have + 3 * (size_t)i, pixel, 3);
-        assert_int_equal(pixel[3], 255);
-    }
-    assert_int_equal(glGetError(), GL_NO_ERROR);
+    struct panel_case *panel = &bench->panel;
+    panel_case_lay(panel, bench->sheet);
+    assert_true(bolt_light_gpu_present(bench->light, view, tick, panel->framebuffer, panel->panel_width,
+                                       panel->panel_height, panel->turn));
+    panel_case_read(panel, bench->have);
 }
 
 static void expect(struct bench *bench, const struct bolt_view *view, double tick)
@@ -122,9 +73,9 @@ static void compare(const struct bench *bench, const struct bolt_view *view, int
         most = difference > most ? difference : most;
     }
     if (apart > allowed) {
-        fail_msg("style %d, %d degrees%s%s: %d channels apart; channel %d at %d, %d: %d, not %d", view->look.style,
-                 bench->rotation, bench->flipped ? ", flipped" : "", view->clear ? ", clear" : "", apart, at % 3,
-                 at / 3 % WIDTH, at / 3 / WIDTH, bench->have[at], bench->want[at]);
+        fail_msg("style %d%s%s: %d channels apart; channel %d at %d, %d: %d, not %d", view->look.style,
+                 panel_case_way(&bench->panel), view->clear ? ", clear" : "", apart, at % 3, at / 3 % WIDTH,
+                 at / 3 / WIDTH, bench->have[at], bench->want[at]);
     }
 }
 
@@ -173,7 +124,7 @@ static void each_way_a_panel_hangs(void **state)
         expect(bench, &view, 1300);
         present(bench, &view, 1300);
         compare(bench, &view, allowed_of(style));
-        drop_context(bench);
+        close_bench(bench);
     }
 }
 
@@ -197,7 +148,7 @@ static void it_grows_turns_and_fades(void **state)
             compare(bench, &view, allowed_of(style));
         }
     }
-    drop_context(bench);
+    close_bench(bench);
 }
 
 /* In pieces of any size, with changes later on, as all at once. */
@@ -244,7 +195,7 @@ static void bit_by_bit(void **state)
         present(bench, &view, 1200);
         assert_memory_equal(bench->have, whole, sizeof whole);
     }
-    drop_context(bench);
+    close_bench(bench);
 }
 
 /* With fewer or more samples it looks much the same. */
@@ -271,7 +222,7 @@ static void other_scales(void **state)
             bytes = bolt_light_gpu_bytes(bench->light);
         }
     }
-    drop_context(bench);
+    close_bench(bench);
 }
 
 /* All of it fades, ground and flash too. */
@@ -301,7 +252,7 @@ static void it_lets_through(void **state)
         assert_memory_equal(bench->have, bench->sheet, sizeof bench->have);
         bolt_light_gpu_opacity(bench->light, 1);
     }
-    drop_context(bench);
+    close_bench(bench);
 }
 
 static void nothing_and_no_good(void **state)
@@ -343,7 +294,7 @@ static void nothing_and_no_good(void **state)
         present(bench, &view, 1300);
         compare(bench, &view, allowed_of(style));
     }
-    drop_context(bench);
+    close_bench(bench);
 }
 
 int main(void)

@@ -170,7 +170,7 @@ static void survives_the_loss_of_its_context(void **state)
     def.threads = 1;
     struct gpu_case both;
     struct checkpoint rolling;
-    struct display_error error;
+    struct device_error error;
     gpu_case_init(&both, &def);
     assert_true(checkpoint_init(&rolling, &def));
     struct action drop = action_default(ACTION_DROP);

@@ -9,21 +9,14 @@
 #include <cmocka.h>
 #include <math.h>
 
-#include <GLES3/gl31.h>
-
-#include "display_rotation.h"
-#include "gpu_case.h"
 #include "overlay.h"
-#include "texture.h"
+#include "panel_case.h"
 
-/* A panel in memory, and what is to be seen on the sheet. */
+/* What is to be seen on the sheet of a panel. */
 struct bench {
-    struct display *display;
+    struct panel_case panel;
     struct overlay *overlay;
-    unsigned panel, framebuffer;
-    int width, height; /* of the sheet, pixels */
-    int panel_width, panel_height, rotation;
-    bool flipped;
+    int width, height;    /* of the sheet, pixels */
     uint8_t *want, *have; /* the sheet, RGB */
 };
 
@@ -61,47 +54,20 @@ static void *allocate(size_t size)
     return memory;
 }
 
-/* Where in the framebuffer, in bytes of RGBA, a pixel of the sheet lies. */
-static size_t place_of(const struct bench *bench, int x, int y)
-{
-    rotation_pixel(bench->rotation, bench->panel_width, bench->panel_height, &x, &y);
-    int row = bench->flipped ? y : bench->panel_height - 1 - y;
-    return 4 * ((size_t)row * (size_t)bench->panel_width + (size_t)x);
-}
-
 static void lay_sheet(struct bench *bench)
 {
-    uint8_t *bytes = allocate((size_t)bench->panel_width * (size_t)bench->panel_height * 4);
-    for (int y = 0; y < bench->height; y++) {
-        for (int x = 0; x < bench->width; x++) {
-            uint8_t *pixel = bytes + place_of(bench, x, y);
-            for (int c = 0; c < 3; c++) {
-                pixel[c] = (uint8_t)hash((uint32_t)(3 * (y * bench->width + x) + c));
-                bench->want[3 * (y * bench->width + x) + c] = pixel[c];
-            }
-            pixel[3] = 255;
-        }
+    for (uint32_t i = 0; i < 3 * (uint32_t)(bench->width * bench->height); i++) {
+        bench->want[i] = (uint8_t)hash(i);
     }
-    texture_upload(bench->panel, &(struct texture_def){.format = TEXTURE_RGBA8}, 0, 0, 0, bench->panel_width,
-                   bench->panel_height, bytes);
-    free(bytes);
+    panel_case_lay(&bench->panel, bench->want);
 }
 
 static struct bench open_bench(int width, int height, int rotation, bool flipped)
 {
-    struct bench bench = {.width = width, .height = height, .rotation = rotation, .flipped = flipped};
+    struct bench bench = {.panel = panel_case_make(width, height, rotation, flipped), .width = width, .height = height};
     struct shader_error error = {""};
-    bench.display = gpu_display();
-    bench.panel_width = rotation % 180 ? height : width;
-    bench.panel_height = rotation % 180 ? width : height;
     bench.want = allocate((size_t)width * (size_t)height * 3);
     bench.have = allocate((size_t)width * (size_t)height * 3);
-    bench.panel = texture_create(
-        &(struct texture_def){TEXTURE_RGBA8, TEXTURE_NEAREST, bench.panel_width, bench.panel_height, 0, false});
-    glGenFramebuffers(1, &bench.framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, bench.framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, bench.panel, 0);
-    assert_int_equal(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
     bench.overlay = overlay_create(NULL, &error);
     if (!bench.overlay) {
         fail_msg("%s", error.text);
@@ -113,10 +79,7 @@ static struct bench open_bench(int width, int height, int rotation, bool flipped
 static void close_bench(struct bench *bench)
 {
     overlay_destroy(bench->overlay);
-    glDeleteFramebuffers(1, &bench->framebuffer);
-    texture_delete(&bench->panel);
-    assert_int_equal(glGetError(), GL_NO_ERROR);
-    display_destroy(bench->display);
+    panel_case_finish(&bench->panel);
     free(bench->want);
     free(bench->have);
 }
@@ -169,20 +132,10 @@ static void put(struct bench *bench, int piece, const struct sample *sample, con
 
 static void present(struct bench *bench)
 {
-    float turn[4];
-    size_t size = (size_t)bench->panel_width * (size_t)bench->panel_height * 4;
-    uint8_t *bytes = allocate(size);
-    rotation_matrix(bench->rotation, bench->flipped, turn);
-    overlay_present(bench->overlay, bench->framebuffer, bench->panel_width, bench->panel_height, bench->width,
-                    bench->height, turn);
-    assert_false(glIsEnabled(GL_BLEND));
-    glReadPixels(0, 0, bench->panel_width, bench->panel_height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
-    for (int y = 0; y < bench->height; y++) {
-        for (int x = 0; x < bench->width; x++) {
-            memcpy(bench->have + 3 * (y * bench->width + x), bytes + place_of(bench, x, y), 3);
-        }
-    }
-    free(bytes);
+    struct panel_case *panel = &bench->panel;
+    overlay_present(bench->overlay, panel->framebuffer, panel->panel_width, panel->panel_height, bench->width,
+                    bench->height, panel->turn);
+    panel_case_read(panel, bench->have);
 }
 
 /* `within`: of 255, where GL may round otherwise. */
@@ -190,9 +143,8 @@ static void compare(const struct bench *bench, int within)
 {
     for (int i = 0; i < 3 * bench->width * bench->height; i++) {
         if (abs(bench->have[i] - bench->want[i]) > within) {
-            fail_msg("channel %d at %d, %d of %dx%d, at %d degrees%s: %d, not %d", i % 3, i / 3 % bench->width,
-                     i / 3 / bench->width, bench->width, bench->height, bench->rotation,
-                     bench->flipped ? ", flipped" : "", bench->have[i], bench->want[i]);
+            fail_msg("channel %d at %d, %d of %dx%d%s: %d, not %d", i % 3, i / 3 % bench->width, i / 3 / bench->width,
+                     bench->width, bench->height, panel_case_way(&bench->panel), bench->have[i], bench->want[i]);
         }
     }
 }
@@ -327,16 +279,13 @@ static void a_sheet_that_is_stretched(void **state)
     (void)state;
     struct bench bench = open_bench(40, 24, 0, false);
     struct sample sample = {.width = 10, .height = 6};
-    float turn[4];
     memset(sample.rgba, 255, sizeof sample.rgba);
     put(&bench, 0, &sample, &(struct overlay_place){.x = 5, .y = 3, .opacity = 1});
-    rotation_matrix(0, false, turn);
-    overlay_present(bench.overlay, bench.framebuffer, 40, 24, 20, 12, turn); /* two pixels a pixel */
-    uint8_t *bytes = allocate(40 * 24 * 4);
-    glReadPixels(0, 0, 40, 24, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+    overlay_present(bench.overlay, bench.panel.framebuffer, 40, 24, 20, 12, bench.panel.turn); /* two pixels a pixel */
+    panel_case_read(&bench.panel, bench.have);
     for (int y = 0; y < 24; y++) {
         for (int x = 0; x < 40; x++) {
-            const uint8_t *pixel = bytes + place_of(&bench, x, y), *want = bench.want + 3 * (y * 40 + x);
+            const uint8_t *pixel = bench.have + 3 * (y * 40 + x), *want = bench.want + 3 * (y * 40 + x);
             bool inside = x >= 11 && x < 29 && y >= 7 && y < 17; /* without its rim, half a pixel of the sheet */
             bool outside = x < 9 || x >= 31 || y < 5 || y >= 19;
             for (int c = 0; c < 3; c++) {
@@ -345,7 +294,6 @@ static void a_sheet_that_is_stretched(void **state)
             }
         }
     }
-    free(bytes);
     close_bench(&bench);
 }
 

@@ -11,22 +11,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <GLES3/gl31.h>
-
-#include "display_rotation.h"
-#include "gpu_case.h"
+#include "panel_case.h"
 #include "plate_gpu.h"
-#include "texture.h"
 
 enum { WIDTH = 53, HEIGHT = 37, PIXELS = WIDTH * HEIGHT, WITHIN = 2 /* of 255 */ };
 
-/* A panel in memory, and what is to be seen on the sheet. */
+/* What is to be seen on the sheet of a panel. */
 struct bench {
-    struct display *display;
+    struct panel_case panel;
     struct plate_gpu *plate;
-    unsigned panel, framebuffer;
-    int panel_width, panel_height, rotation;
-    bool flipped;
     uint8_t sheet[PIXELS * 3], want[PIXELS * 3], have[PIXELS * 3];
 };
 
@@ -56,81 +49,34 @@ static struct plate make_plate(int width, int height, uint32_t seed, float lates
     return plate;
 }
 
-/* Where in the framebuffer, in bytes of RGBA, a pixel of the sheet lies. */
-static size_t place_of(const struct bench *bench, int x, int y)
-{
-    rotation_pixel(bench->rotation, bench->panel_width, bench->panel_height, &x, &y);
-    int row = bench->flipped ? y : bench->panel_height - 1 - y;
-    return 4 * ((size_t)row * (size_t)bench->panel_width + (size_t)x);
-}
-
-static void lay_sheet(struct bench *bench)
-{
-    uint8_t bytes[PIXELS * 4];
-    for (int y = 0; y < HEIGHT; y++) {
-        for (int x = 0; x < WIDTH; x++) {
-            uint8_t *pixel = bytes + place_of(bench, x, y);
-            memcpy(pixel, bench->sheet + 3 * (y * WIDTH + x), 3);
-            pixel[3] = 255;
-        }
-    }
-    texture_upload(bench->panel, &(struct texture_def){.format = TEXTURE_RGBA8}, 0, 0, 0, bench->panel_width,
-                   bench->panel_height, bytes);
-}
-
-static void make_context(struct bench *bench)
-{
-    struct shader_error error = {""};
-    bench->display = gpu_display();
-    bench->panel = texture_create(
-        &(struct texture_def){TEXTURE_RGBA8, TEXTURE_NEAREST, bench->panel_width, bench->panel_height, 0, false});
-    glGenFramebuffers(1, &bench->framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, bench->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, bench->panel, 0);
-    assert_int_equal(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-    bench->plate = plate_gpu_create(NULL, &error);
-    if (!bench->plate) {
-        fail_msg("%s", error.text);
-    }
-}
-
-static void drop_context(struct bench *bench)
-{
-    plate_gpu_destroy(bench->plate);
-    glDeleteFramebuffers(1, &bench->framebuffer);
-    texture_delete(&bench->panel);
-    assert_int_equal(glGetError(), GL_NO_ERROR);
-    display_destroy(bench->display);
-}
-
 static struct bench open_bench(int rotation, bool flipped)
 {
-    struct bench bench = {.rotation = rotation, .flipped = flipped};
-    bench.panel_width = rotation % 180 ? HEIGHT : WIDTH;
-    bench.panel_height = rotation % 180 ? WIDTH : HEIGHT;
+    struct bench bench = {.panel = panel_case_make(WIDTH, HEIGHT, rotation, flipped)};
+    struct shader_error error = {""};
     for (uint32_t i = 0; i < PIXELS * 3; i++) {
         bench.sheet[i] = (uint8_t)hash(i);
     }
     memcpy(bench.want, bench.sheet, sizeof bench.want);
-    make_context(&bench);
+    bench.plate = plate_gpu_create(NULL, &error);
+    if (!bench.plate) {
+        fail_msg("%s", error.text);
+    }
     return bench;
+}
+
+static void close_bench(struct bench *bench)
+{
+    plate_gpu_destroy(bench->plate);
+    panel_case_finish(&bench->panel);
 }
 
 static void present(struct bench *bench, double tick, float before)
 {
-    float turn[4];
-    uint8_t bytes[PIXELS * 4];
-    lay_sheet(bench);
-    rotation_matrix(bench->rotation, bench->flipped, turn);
-    plate_gpu_present(bench->plate, tick, before, bench->framebuffer, bench->panel_width, bench->panel_height, turn);
-    assert_false(glIsEnabled(GL_BLEND));
-    glReadPixels(0, 0, bench->panel_width, bench->panel_height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
-    for (int y = 0; y < HEIGHT; y++) {
-        for (int x = 0; x < WIDTH; x++) {
-            memcpy(bench->have + 3 * (y * WIDTH + x), bytes + place_of(bench, x, y), 3);
-        }
-    }
-    assert_int_equal(glGetError(), GL_NO_ERROR);
+    struct panel_case *panel = &bench->panel;
+    panel_case_lay(panel, bench->sheet);
+    plate_gpu_present(bench->plate, tick, before, panel->framebuffer, panel->panel_width, panel->panel_height,
+                      panel->turn);
+    panel_case_read(panel, bench->have);
 }
 
 /* Where GL blends in whole 255ths, what is blended is rounded before as well as after: seldom, 2 of 255 are apart. */
@@ -139,8 +85,8 @@ static void compare(const struct bench *bench, int within)
     int apart = 0;
     for (int i = 0; i < 3 * PIXELS; i++) {
         if (abs(bench->have[i] - bench->want[i]) > within) {
-            fail_msg("channel %d at %d, %d, at %d degrees%s: %d, not %d", i % 3, i / 3 % WIDTH, i / 3 / WIDTH,
-                     bench->rotation, bench->flipped ? ", flipped" : "", bench->have[i], bench->want[i]);
+            fail_msg("channel %d at %d, %d%s: %d, not %d", i % 3, i / 3 % WIDTH, i / 3 / WIDTH,
+                     panel_case_way(&bench->panel), bench->have[i], bench->want[i]);
         }
         apart += abs(bench->have[i] - bench->want[i]) > 1;
     }
@@ -164,7 +110,7 @@ static void each_way_a_panel_hangs(void **state)
         reveal(&bench, &plate, 1150);
         present(&bench, 1150, 0);
         compare(&bench, WITHIN);
-        drop_context(&bench);
+        close_bench(&bench);
     }
     plate_finish(&plate);
 }
@@ -191,7 +137,7 @@ static void it_grows(void **state)
         present(&bench, (double)(INT64_C(1) << 40), 0);
         compare(&bench, WITHIN);
         plate_finish(&plate);
-        drop_context(&bench);
+        close_bench(&bench);
     }
 }
 
@@ -215,7 +161,7 @@ static void between_two_ticks(void **state)
         compare(&bench, WITHIN);
     }
     plate_finish(&plate);
-    drop_context(&bench);
+    close_bench(&bench);
 }
 
 /* What both have stays as it is while one turns into the other; the rest goes from one to the other. */
@@ -252,7 +198,7 @@ static void one_turns_into_another(void **state)
     compare(&bench, 0);
     plate_finish(&old);
     plate_finish(&new);
-    drop_context(&bench);
+    close_bench(&bench);
 }
 
 static void row_by_row(void **state)
@@ -276,7 +222,7 @@ static void row_by_row(void **state)
     assert_int_equal(plate_gpu_bytes(bench.plate), 2 * 6 * PIXELS + 1);
     plate_finish(&old);
     plate_finish(&new);
-    drop_context(&bench);
+    close_bench(&bench);
 }
 
 /* Stretched: colours between texels, and nothing beyond what the nearest births and both neighbours say. */
@@ -309,7 +255,7 @@ static void of_another_size(void **state)
         }
         plate_finish(&plate);
     }
-    drop_context(&bench);
+    close_bench(&bench);
 }
 
 static void water_takes_it_along(void **state)
@@ -339,7 +285,7 @@ static void water_takes_it_along(void **state)
     present(&bench, 1200, 1);
     compare(&bench, WITHIN);
     plate_finish(&plate);
-    drop_context(&bench);
+    close_bench(&bench);
 }
 
 /* A fresh sheet: what grew goes, and the ground it grew on stays until another comes. */
@@ -371,7 +317,7 @@ static void the_ground_stays(void **state)
     compare(&bench, 0);
     plate_finish(&plate);
     plate_finish(&bare);
-    drop_context(&bench);
+    close_bench(&bench);
 }
 
 static void refusals(void **state)
@@ -395,7 +341,7 @@ static void refusals(void **state)
     present(&bench, 1200, 0);
     compare(&bench, 0);
     plate_finish(&plate);
-    drop_context(&bench);
+    close_bench(&bench);
 }
 
 static void a_lost_context(void **state)
@@ -405,15 +351,15 @@ static void a_lost_context(void **state)
     struct plate plate = make_plate(WIDTH, HEIGHT, 9, 100);
     assert_true(plate_gpu_set(bench.plate, &plate));
     for (int i = 0; i < 3; i++) {
-        drop_context(&bench);
-        make_context(&bench);
+        close_bench(&bench);
+        bench = open_bench(270, false);
         assert_true(plate_gpu_set(bench.plate, &plate));
         reveal(&bench, &plate, 1060);
         present(&bench, 1060, 0);
         compare(&bench, WITHIN);
     }
     plate_finish(&plate);
-    drop_context(&bench);
+    close_bench(&bench);
 }
 
 int main(void)

@@ -5,9 +5,11 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "program.h"
@@ -78,7 +80,7 @@ static void write_file(const char *folder, const char *name, const char *text)
 static void remove_files(const char *path)
 {
     char file[300];
-    static const char *const names[] = {"a.comp", "b.glsl", "c.comp"};
+    static const char *const names[] = {"a.comp", "b.glsl", "c.comp"}; /* those that there are */
     for (int i = 0; i < 3; i++) {
         snprintf(file, sizeof file, "%s/%s", path, names[i]);
         unlink(file);
@@ -117,6 +119,52 @@ static void only_variants_are_put_together(void **state)
     remove_files(path);
 }
 
+/* shaders/ has folders; so may one's own. */
+static void sources_are_found_in_folders_of_the_folder(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/frond-variant-XXXXXX", below[64];
+    struct shader_error error = {""};
+    assert_non_null(mkdtemp(path));
+    snprintf(below, sizeof below, "%s/painting", path);
+    assert_int_equal(mkdir(below, 0700), 0);
+    const struct shader_folder folder = {path};
+    write_file(path, "a.comp", "#include \"b.glsl\"\nvoid main() {}\n");
+    write_file(below, "b.glsl", "float b;\n");
+    char *text = shader_text(&folder, "a.comp", NULL, &error);
+    assert_non_null(text);
+    assert_non_null(strstr(text, "float b;"));
+    free(text);
+    char file[300];
+    snprintf(file, sizeof file, "%s/b.glsl", below);
+    const struct timespec later[2] = {{4000000000, 0}, {4000000000, 5}};
+    assert_int_equal(utimensat(AT_FDCWD, file, later, 0), 0);
+    assert_true(shader_folder_stamp(&folder) == 4000000000000000005);
+    remove_files(below);
+    remove_files(path);
+}
+
+/* A folder of a working copy stands for what is embedded. */
+static void the_tree_has_every_embedded_source(void **state)
+{
+    (void)state;
+    const struct shader_folder tree = {FROND_SHADERS};
+    for (const struct shader_source *source = shader_sources; source->name; source++) {
+        char defines[VARIANT_TEXT];
+        struct shader_error error = {""};
+        assert_true(shader_variant(NULL, source->name, 0, defines));
+        char *embedded = shader_text(NULL, source->name, defines, &error);
+        char *found = shader_text(&tree, source->name, defines, &error);
+        if (!embedded || !found) {
+            fail_msg("%s", error.text);
+            return;
+        }
+        assert_string_equal(found, embedded);
+        free(found);
+        free(embedded);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -124,6 +172,8 @@ int main(void)
         cmocka_unit_test(a_stage_without_variants_takes_no_defines),
         cmocka_unit_test(only_variants_are_admitted),
         cmocka_unit_test(only_variants_are_put_together),
+        cmocka_unit_test(sources_are_found_in_folders_of_the_folder),
+        cmocka_unit_test(the_tree_has_every_embedded_source),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,7 +14,7 @@
 #include "noise.h"
 
 static struct gray_scott *seeded(int width, int height, const struct gray_scott_def *def, int threads,
-                                 enum painting_vectors vectors)
+                                 enum vectors vectors)
 {
     struct gray_scott *chemistry = gray_scott_create(width, height, def, threads, vectors);
     assert_non_null(chemistry);
@@ -52,7 +52,7 @@ static struct sums sums_of(const struct gray_scott *chemistry)
     return sums;
 }
 
-static const enum painting_vectors WIDTHS[] = {VECTORS_NARROW, VECTORS_AVX2, VECTORS_AVX512};
+static const enum vectors WIDTHS[] = {VECTORS_NARROW, VECTORS_AVX2, VECTORS_AVX512};
 
 static void fast_is_plain(void **state)
 {

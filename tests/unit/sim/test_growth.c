@@ -79,7 +79,7 @@ static void every_metaphor_and_metric_grows_a_forest_that_reaches_all(void **sta
 {
     (void)state;
     float *grey = malloc(SIDE * SIDE * sizeof *grey);
-    for (int m = 0; m < METAPHORS * METRICS; m++) {
+    for (int m = 0; m < (int)METAPHORS * (int)METRICS; m++) {
         struct growth_def def = growth_preset((enum metaphor)(m % METAPHORS), false);
         def.metric = m / METAPHORS;
         def.endpoints = 300;
@@ -280,6 +280,7 @@ static void graphs_grow_as_well(void **state)
     (void)state;
     enum { ROWS = 30, ALL = ROWS * ROWS };
     static struct lattice_edge edges[2 * ALL];
+    const struct growth_def ink = growth_preset(METAPHOR_INK, false);
     float x[ALL], y[ALL], importance[ALL];
     int32_t count = 0, seed = 0;
     for (int i = 0; i < ALL; i++) {
@@ -308,7 +309,7 @@ static void graphs_grow_as_well(void **state)
     for (int m = 0; m < METRICS; m++) {
         struct dendrite *dendrite = dendrite_create(lattice);
         struct dendrite_figures figures;
-        struct thickness thickness = thickness_default();
+        struct thickness thickness = growth_thickness(&ink);
         assert_true(routes_plan(routes, (enum metric)m, 1000, &seed, 1));
         assert_true(dendrite_extend(dendrite, routes, stipple_nodes(stipple), found, 0, 0) &&
                     dendrite_arrange(dendrite));

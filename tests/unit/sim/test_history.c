@@ -108,6 +108,26 @@ static void redo_brings_back_what_undo_took(void **state)
     sheet_drop(&sheet);
 }
 
+/* A button on the table is no visitor's: what anybody undid last comes back first, whoever painted first. */
+static void redo_for_all_begins_with_the_last_undone(void **state)
+{
+    (void)state;
+    for (int first = 1; first <= 2; first++) {
+        struct sheet sheet = sheet_make();
+        drop(&sheet, 1, 0.3f, 0.5f);
+        drop(&sheet, 2, 0.75f, 0.5f);
+        run(&sheet, 40);
+        order(&sheet, ACTION_UNDO, first);
+        run(&sheet, 10);
+        order(&sheet, ACTION_UNDO, 3 - first);
+        order(&sheet, ACTION_REDO, 0);
+        look(&sheet, &sheet.after);
+        bool left = pattern_in(&sheet.after, 0, 70) > 1, right = pattern_in(&sheet.after, 85, WIDTH) > 1;
+        assert_true(left == (first == 2) && right == (first == 1));
+        sheet_drop(&sheet);
+    }
+}
+
 /* Ink on a growth that was there already: the growth stays, the ink goes, also where it has flowed. */
 static void ink_on_a_growth_goes_and_the_growth_stays(void **state)
 {
@@ -372,6 +392,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_of_two_growths_goes),
         cmocka_unit_test(redo_brings_back_what_undo_took),
+        cmocka_unit_test(redo_for_all_begins_with_the_last_undone),
         cmocka_unit_test(ink_on_a_growth_goes_and_the_growth_stays),
         cmocka_unit_test(each_visitor_has_levels_of_their_own),
         cmocka_unit_test(the_script_is_a_visitor_of_its_own),

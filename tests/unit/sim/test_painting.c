@@ -22,9 +22,9 @@ static struct action drop_at(float x, float y, int ink)
 }
 
 #ifdef SANITIZED /* which may see no other kernels (sim/CMakeLists.txt) */
-static const enum painting_vectors VECTORS_SEEN = VECTORS_NARROW;
+static const enum vectors VECTORS_SEEN = VECTORS_NARROW;
 #else
-static const enum painting_vectors VECTORS_SEEN = VECTORS_BEST;
+static const enum vectors VECTORS_SEEN = VECTORS_BEST;
 #endif
 
 static struct painting *one_drop(struct painting_def def, int ticks)
@@ -110,7 +110,7 @@ static void every_vector_keeps_to_its_rows(void **state)
     def.width = def.height = 100;
     uint64_t best = 0;
     for (int vectors = VECTORS_NARROW; vectors <= VECTORS_AVX512; vectors++) {
-        def.vectors = (enum painting_vectors)vectors;
+        def.vectors = (enum vectors)vectors;
         struct painting *painting = one_drop(def, 40);
         best = vectors == VECTORS_NARROW ? painting_hash(painting) : best;
         assert_true(painting_hash(painting) == best);
@@ -159,11 +159,11 @@ static void refuses_sizes_out_of_range(void **state)
 {
     (void)state;
     struct painting_def def = painting_default_def();
-    def.width = PAINTING_SIZE_MIN - 1;
+    def.width = CANVAS_SIZE_MIN - 1;
     assert_null(painting_create(&def));
-    def.width = PAINTING_SIZE_MAX + 1;
+    def.width = CANVAS_SIZE_MAX + 1;
     assert_null(painting_create(&def));
-    def.width = PAINTING_SIZE_MIN;
+    def.width = CANVAS_SIZE_MIN;
     def.margin = -1;
     assert_null(painting_create(&def));
     painting_destroy(NULL);

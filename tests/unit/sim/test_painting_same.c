@@ -42,7 +42,7 @@ static void is_the_same_for_every_vector(void **state)
         fail_msg("a busy sheet: 0x%016llx", (unsigned long long)best);
     }
     for (int vectors = VECTORS_NARROW; vectors <= VECTORS_AVX512; vectors++) {
-        def.vectors = (enum painting_vectors)vectors;
+        def.vectors = (enum vectors)vectors;
         assert_true(busy_hash(def) == best);
     }
 }

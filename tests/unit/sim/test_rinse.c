@@ -254,7 +254,8 @@ static void the_front_is_ragged_and_still(void **state)
         action.reach = 1;
         action.vary = 0.5f;
         struct rinse rinse;
-        rinse_begin(&rinse, &def, &action);
+        struct canvas canvas = painting_canvas(&def);
+        rinse_begin(&rinse, &canvas, &action);
         for (int y = 0; y < SIZE; y++) {
             float turn, least = 1, most = 0, last = 0;
             for (int x = 0; x < SIZE; x++) {

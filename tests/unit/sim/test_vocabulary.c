@@ -12,8 +12,12 @@
 #include "action.h"
 #include "brush.h"
 #include "coefficients.h"
+#include "dish.h"
+#include "growth.h"
 #include "ink.h"
-#include "noise.h"
+#include "lsystem.h"
+#include "storm.h"
+#include "xi.h"
 
 static void check_table(const struct key *keys, size_t size)
 {
@@ -32,12 +36,51 @@ static void every_key_is_whole(void **state)
 {
     (void)state;
     check_table(coefficient_keys, sizeof(struct coefficients));
+    check_table(growth_keys, sizeof(struct growth_def));
+    check_table(storm_keys, sizeof(struct storm_def));
+    check_table(laplacian_keys, sizeof(struct laplacian_def));
+    check_table(lsystem_keys, sizeof(struct lsystem_def));
+    check_table(dish_keys, sizeof(struct dish_def));
+    check_table(gray_scott_keys, sizeof(struct gray_scott_def));
     for (int verb = 0; verb < ACTION_VERBS; verb++) {
         check_table(action_keys((enum action_verb)verb), sizeof(struct action));
         assert_int_equal(action_find(action_name((enum action_verb)verb)), verb);
         assert_true(strlen(action_meaning((enum action_verb)verb)) > 5);
     }
     assert_int_equal(action_find("splash"), ACTION_VERBS);
+}
+
+/* Both ends of a range belong to it, although they may be no floats; what is beyond is brought back. */
+static void values_are_kept_within_their_range(void **state)
+{
+    (void)state;
+    struct action action = action_default(ACTION_DRAW);
+    const struct key *keys = action_keys(ACTION_DRAW);
+    assert_true(keys_are_legal(keys, &action));
+    action.amount = NAN;
+    action.over = 17;
+    assert_false(keys_are_legal(keys, &action));
+    keys_make_legal(keys, &action);
+    assert_true(action.amount == 0 && action.over == OVER_RESPECT && keys_are_legal(keys, &action));
+    action.amount = INFINITY;
+    action.over = -1;
+    keys_make_legal(keys, &action);
+    assert_true(action.amount == 4 && action.over == OVER_RESPECT);
+
+    struct coefficients coefficients = coefficients_default();
+    for (const struct key *key = coefficient_keys; key->name; key++) {
+        if (key->type == KEY_NUMBER) {
+            key_take(key, &coefficients, (float)key->max);
+        }
+    }
+    assert_true(keys_are_legal(coefficient_keys, &coefficients));
+    coefficients.pattern_steps = 9;
+    assert_false(keys_are_legal(coefficient_keys, &coefficients));
+    keys_make_legal(coefficient_keys, &coefficients);
+    assert_int_equal(coefficients.pattern_steps, 8);
+    coefficients.pattern_steps = -3;
+    keys_make_legal(coefficient_keys, &coefficients);
+    assert_int_equal(coefficients.pattern_steps, 1);
 }
 
 static void every_coefficient_has_a_key(void **state)
@@ -81,11 +124,11 @@ static void noise_has_the_moments_it_promises(void **state)
         enum { SIDE = 256 };
         for (int y = 0; y < SIDE; y++) {
             for (int x = 0; x < SIDE; x++) {
-                double xi = (double)noise_xi(x, y, 0.8f, (enum noise_kind)kind, 5) - 1;
+                double xi = (double)xi_of(x, y, 0.8f, (enum noise_kind)kind, 5) - 1;
                 assert_true(xi >= -1 && xi <= 2);
                 sum += xi;
                 squares += xi * xi;
-                beside += xi * ((double)noise_xi(x + 1, y, 0.8f, (enum noise_kind)kind, 5) - 1);
+                beside += xi * ((double)xi_of(x + 1, y, 0.8f, (enum noise_kind)kind, 5) - 1);
             }
         }
         double mean = sum / (SIDE * SIDE), deviation = sqrt(squares / (SIDE * SIDE) - mean * mean);
@@ -100,6 +143,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_key_is_whole),
+        cmocka_unit_test(values_are_kept_within_their_range),
         cmocka_unit_test(every_coefficient_has_a_key),
         cmocka_unit_test(the_misspelt_is_guessed),
         cmocka_unit_test(every_brush_names_inks_that_exist),

@@ -1,7 +1,7 @@
-/* Rows of key tables (key.h) over a struct, as exhibits and inputs have them. Private to files that define such tables.
- */
-#ifndef FROND_KEY_ROWS_H
-#define FROND_KEY_ROWS_H
+/* Rows of tables of keys (key.h) as files have them, exhibits and inputs: over several structs, some keys required; what a
+ * model sets has rows in one order alone (sim/base/key_rows.h). Private to files that define such tables. */
+#ifndef FROND_FILE_ROWS_H
+#define FROND_FILE_ROWS_H
 
 #include <stddef.h>
 

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "key.h"
+#include "verbs.h"
 
 struct point {
     float x, y;
@@ -26,36 +27,9 @@ struct action_raster {
     int channels; /* 1, or 2 for a vector field (x right, y down) */
 };
 
-enum action_verb {
-    ACTION_DROP,          /* ink and solvent fall on the sheet and start to grow */
-    ACTION_BRUSH_SOLVENT, /* solvent along a stroke; starts no growth by itself */
-    ACTION_BRUSH_INK,     /* ink along a stroke, on carved ground */
-    ACTION_DRAW,          /* a dry line of ink that does not grow (figure 10) */
-    ACTION_GUIDE,         /* writes the guidance field (eq. 16) */
-    ACTION_POUR,          /* fresh catalyst over a disc (figure 14) */
-    ACTION_MASK,          /* an obstacle (section 6.3.2, figure 12) */
-    ACTION_UNMASK,        /* takes obstacles away */
-    ACTION_DRY,           /* wet pigment and liquid dry at once */
-    ACTION_WET,           /* dry pigment loosens and solvent comes (section 5.3) */
-    ACTION_RINSE,         /* running water: ink smears along and leaves, what has grown dissolves */
-    ACTION_SET,           /* a coefficient, everywhere or varying over the sheet (figure 1) */
-    ACTION_CLEAR,         /* a fresh sheet; coefficients set for the whole sheet stay */
-    ACTION_UNDO,          /* takes back what a visitor did last; engines leave these three to sim/painting/history.h */
-    ACTION_REDO,          /* brings back what undo took */
-    ACTION_REWIND,        /* the time brush: what is under the stroke goes back in time */
-    ACTION_STOCK,   /* engines leave this one and those below to sim/trees/garden.h: another picture to grow over */
-    ACTION_SHAPE,   /* how it grows: a value of growth_keys */
-    ACTION_PLANT,   /* a seed from which a structure grows over the picture */
-    ACTION_TEND,    /* what is under the stroke is more important, or less, and grows again */
-    ACTION_HOLD,    /* a hand lies there: growth goes round it until it is lifted */
-    ACTION_STRIKE,  /* this one and the next two are for sim/lightning/storm.h: a bolt begins */
-    ACTION_ATTRACT, /* a charge that bolts grow towards, or away from */
-    ACTION_CONDUCT, /* how they grow: a value of storm_keys */
-    ACTION_DOSE,    /* this one and those below are for sim/chemistry/dish.h: chemicals along a stroke, or taken away */
-    ACTION_REACT,   /* how they react: a value of dish_keys */
-    ACTION_STYLE,   /* a picture by whose brightness they react one way or another */
-    ACTION_VERBS,
-};
+#define VERB(NAME, name) ACTION_##NAME,
+enum action_verb { ACTION_VERB_LIST(VERB) ACTION_VERBS };
+#undef VERB
 
 enum action_edge {
     EDGE_HARD,   /* a disc, as in the paper */
@@ -91,13 +65,14 @@ struct action {
 
 /* The parameters of a verb, ends with a key whose name is NULL. A KEY_POINT named `at` sets has_at. */
 const struct key *action_keys(enum action_verb verb);
-/* The table that an `option` or `coefficient` of a type is one of: KEY_COEFFICIENT, KEY_GROWTH, KEY_STORM, KEY_DISH;
- * else NULL. */
-const struct key *action_options(enum key_type type);
+/* The table that a value of this key is an index into: of KEY_COEFFICIENT and KEY_OPTION; else NULL. */
+const struct key *action_options(const struct key *key);
 /* The name of a verb as scripts write it: "drop", "brush_solvent", ... */
 const char *action_name(enum action_verb verb);
 /* One sentence about it. */
 const char *action_meaning(enum action_verb verb);
+/* Whether a history does it: undo, redo and the time brush. */
+bool action_goes_back(enum action_verb verb);
 /* The verb of that name, or ACTION_VERBS. */
 enum action_verb action_find(const char *name);
 /* An action with every default of its verb; nothing required is filled in. */

@@ -86,9 +86,7 @@ void key_defaults(const struct key *keys, void *object)
         case KEY_CHOICE:
         case KEY_INK:
         case KEY_BRUSH:
-        case KEY_GROWTH:
-        case KEY_STORM:
-        case KEY_DISH:
+        case KEY_OPTION:
         case KEY_COEFFICIENT:
         case KEY_TIME: {
             int value = (int)keys->initial;
@@ -165,5 +163,52 @@ void key_take(const struct key *key, void *object, float value)
         memcpy(at, &flag, sizeof flag);
     } else if (key->type == KEY_INTEGER || key->type == KEY_CHOICE) {
         memcpy(at, &whole, sizeof whole);
+    }
+}
+
+static int whole_at(const struct key *key, const void *object)
+{
+    int whole;
+    memcpy(&whole, (const char *)object + key->offset, sizeof whole);
+    return whole;
+}
+
+static bool is_legal(const struct key *key, const void *object)
+{
+    float number;
+    switch (key->type) {
+    case KEY_NUMBER:
+        number = key_value(key, object);
+        return number >= (float)key->min && number <= (float)key->max;
+    case KEY_INTEGER:
+        return whole_at(key, object) >= (int)key->min && whole_at(key, object) <= (int)key->max;
+    case KEY_CHOICE:
+        return whole_at(key, object) >= 0 && whole_at(key, object) <= (int)most_of(key);
+    default:
+        return true;
+    }
+}
+
+bool keys_are_legal(const struct key *keys, const void *object)
+{
+    while (keys->name && is_legal(keys, object)) {
+        keys++;
+    }
+    return !keys->name;
+}
+
+void keys_make_legal(const struct key *keys, void *object)
+{
+    for (; keys->name; keys++) {
+        if (is_legal(keys, object)) {
+            continue;
+        }
+        if (keys->type == KEY_NUMBER) {
+            key_take(keys, object, key_value(keys, object));
+        } else {
+            int least = (int)keys->min, whole = whole_at(keys, object) < least ? least : (int)keys->max;
+            whole = keys->type == KEY_CHOICE ? (int)keys->initial : whole;
+            memcpy((char *)object + keys->offset, &whole, sizeof whole);
+        }
     }
 }

@@ -157,7 +157,7 @@ static void a_size_beyond_the_gpu_is_refused(void **state)
 static int open_display(void **state)
 {
     struct display_def def = display_default_def();
-    struct display_error error = {""};
+    struct device_error error = {""};
     def.kind = DISPLAY_HEADLESS;
     struct display *display = display_create(&def, &error);
     if (!display) {

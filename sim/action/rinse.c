@@ -31,7 +31,7 @@ static struct point turned(const struct rinse *rinse, float x, float y)
 
 static void take_front(struct rinse *rinse, const struct action_path *path)
 {
-    float width = (float)rinse->def->width, height = (float)rinse->def->height;
+    float width = (float)rinse->canvas.width, height = (float)rinse->canvas.height;
     rinse->count = path->count < RINSE_POINTS ? path->count : RINSE_POINTS;
     for (int i = 0; i < rinse->count; i++) {
         struct point point = turned(rinse, clamp(path->points[i].x, -FARTHEST, 1.0f + FARTHEST) * width,
@@ -58,8 +58,8 @@ static int end_cell(float at, int cells, int margin)
 /* The cells where the phase may be `first` or more: of a front, those between the corners of its band. */
 static struct rectangle bounds_of(const struct rinse *rinse, float first)
 {
-    const struct painting_def *def = rinse->def;
-    float width = (float)def->width, height = (float)def->height;
+    const struct canvas *canvas = &rinse->canvas;
+    float width = (float)canvas->width, height = (float)canvas->height;
     float x0 = width, x1 = 0.0f, y0 = height, y1 = 0.0f;
     if (rinse->disc) {
         x0 = rinse->at.x - rinse->radius, x1 = rinse->at.x + rinse->radius;
@@ -80,21 +80,22 @@ static struct rectangle bounds_of(const struct rinse *rinse, float first)
             y0 = y < y0 ? y : y0, y1 = y > y1 ? y : y1;
         }
     }
-    return (struct rectangle){first_cell(x0, def->width, def->margin), end_cell(x1, def->width, def->margin),
-                              first_cell(y0, def->height, def->margin), end_cell(y1, def->height, def->margin)};
+    return (struct rectangle){
+        first_cell(x0, canvas->width, canvas->margin), end_cell(x1, canvas->width, canvas->margin),
+        first_cell(y0, canvas->height, canvas->margin), end_cell(y1, canvas->height, canvas->margin)};
 }
 
-void rinse_begin(struct rinse *rinse, const struct painting_def *def, const struct action *action)
+void rinse_begin(struct rinse *rinse, const struct canvas *canvas, const struct action *action)
 {
     float length = sqrtf(action->flow.x * action->flow.x + action->flow.y * action->flow.y);
-    rinse->def = def;
+    rinse->canvas = *canvas;
     rinse->flow = (struct point){0.0f, 1.0f};
     if (length > 1e-6f) {
         rinse->flow = (struct point){action->flow.x / length, action->flow.y / length};
     }
-    float extent = fabsf(rinse->flow.x) * (float)def->width + fabsf(rinse->flow.y) * (float)def->height;
+    float extent = fabsf(rinse->flow.x) * (float)canvas->width + fabsf(rinse->flow.y) * (float)canvas->height;
     rinse->disc = action->path.count <= 0 && action->has_at;
-    rinse->at = (struct point){action->at.x * (float)def->width, action->at.y * (float)def->height};
+    rinse->at = (struct point){action->at.x * (float)canvas->width, action->at.y * (float)canvas->height};
     rinse->radius = action->radius;
     rinse->depth = action->reach * extent;
     rinse->vary = rinse->disc ? 0.0f : action->vary;
@@ -131,15 +132,15 @@ static float front_at(const struct rinse *rinse, float across)
 /* The cells of the margin are where the border is. */
 static struct point place_of(const struct rinse *rinse, float x, float y)
 {
-    float margin = (float)rinse->def->margin;
-    return (struct point){clamp(x - margin, 0.0f, (float)rinse->def->width),
-                          clamp(y - margin, 0.0f, (float)rinse->def->height)};
+    float margin = (float)rinse->canvas.margin;
+    return (struct point){clamp(x - margin, 0.0f, (float)rinse->canvas.width),
+                          clamp(y - margin, 0.0f, (float)rinse->canvas.height)};
 }
 
 /* How far a place is behind the front, in depths of the water; `turn` as rinse_phase says. */
 static float behind_at(const struct rinse *rinse, struct point place, float *turn)
 {
-    const uint32_t seed = rinse->def->seed;
+    const uint32_t seed = rinse->canvas.seed;
     place = turned(rinse, place.x, place.y);
     float behind = (front_at(rinse, place.x) - place.y) / rinse->depth, ragged = RINSE_MOST * rinse->vary;
     *turn = 0.0f;
@@ -215,4 +216,9 @@ struct rinse_shares rinse_shares(float phase, float strength)
     float wets = 3.0f * strength * comes, drains = phase < RINSE_OVER ? last * last : 1.0f;
     float thins = strength * (0.1f * comes + 0.9f * goes) + drains;
     return (struct rinse_shares){wets < 1.0f ? wets : 1.0f, thins < 1.0f ? thins : 1.0f, drains};
+}
+
+float rinse_takes(float phase, float strength)
+{
+    return phase >= RINSE_OVER ? 1.0f : rinse_shares(phase, strength).thins;
 }

@@ -19,9 +19,7 @@ enum key_type {
                     vector */
     KEY_PICTURE, /* struct action_raster, from a picture: a path relative to the file that names it */
     KEY_TEXT,    /* const char *: a word or some, of `min` to `max` bytes; owned by whoever read it */
-    KEY_GROWTH,  /* int: index into growth_keys[] (growth.h); written as the name there */
-    KEY_STORM,   /* int: index into storm_keys[] (storm.h) */
-    KEY_DISH,    /* int: index into dish_keys[] (dish.h) */
+    KEY_OPTION,  /* int: index into the options of the kind of scene (scene.h) that `min` is; written as the name there */
     KEY_COEFFICIENT, /* int: index into coefficient_keys[] (coefficients.h); written as the coefficient's name */
     KEY_ZONE,        /* float[4]: [left, top, right, bottom] in 0..1 of the sheet; its default reaches from a top of
                         `initial` down, all across */
@@ -55,5 +53,9 @@ void key_defaults(const struct key *keys, void *object);
 float key_value(const struct key *key, const void *object);
 /* Sets it, brought into its range (NaN becomes the least) and rounded where it is whole. */
 void key_take(const struct key *key, void *object, float value);
+/* Whether every number, whole number and choice of `object` is within its range. */
+bool keys_are_legal(const struct key *keys, const void *object);
+/* Brings them there: numbers to the nearer end (NaN to the least), choices that there are none to the default. */
+void keys_make_legal(const struct key *keys, void *object);
 
 #endif

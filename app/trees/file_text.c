@@ -1,11 +1,11 @@
-#include "bolt_text.h"
+#include "file_text.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool has_room(struct bolt_text *text, size_t more)
+static bool has_room(struct file_text *text, size_t more)
 {
     if (text->size + more > text->room) {
         size_t room = 2 * text->room + more + 65536;
@@ -20,7 +20,7 @@ static bool has_room(struct bolt_text *text, size_t more)
     return true;
 }
 
-void bolt_text_put(struct bolt_text *text, const char *format, ...)
+void file_text_put(struct file_text *text, const char *format, ...)
 {
     enum { LONGEST = 512 };
     if (has_room(text, LONGEST)) {
@@ -32,7 +32,7 @@ void bolt_text_put(struct bolt_text *text, const char *format, ...)
     }
 }
 
-void bolt_text_bytes(struct bolt_text *text, const void *bytes, size_t size)
+void file_text_bytes(struct file_text *text, const void *bytes, size_t size)
 {
     if (has_room(text, size)) {
         memcpy(text->bytes + text->size, bytes, size);
@@ -40,11 +40,11 @@ void bolt_text_bytes(struct bolt_text *text, const void *bytes, size_t size)
     }
 }
 
-bool bolt_text_write(struct bolt_text *text, const char *path, struct file_error *error)
+bool file_text_write(struct file_text *text, const char *path, struct file_error *error)
 {
     bool good = text->failed ? file_fail(error, path, "memory is short")
                              : file_write_atomic(path, text->bytes, text->size, error);
     free(text->bytes);
-    *text = (struct bolt_text){0};
+    *text = (struct file_text){0};
     return good;
 }

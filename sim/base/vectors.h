@@ -1,0 +1,15 @@
+/* Widths of vectors that kernels are compiled for; every width gives the same bits. */
+#ifndef FROND_VECTORS_H
+#define FROND_VECTORS_H
+
+enum vectors {
+    VECTORS_BEST,   /* the widest that this machine has */
+    VECTORS_NARROW, /* SSE2 or NEON */
+    VECTORS_AVX2,
+    VECTORS_AVX512,
+};
+
+/* The width to take: what is wanted, or the widest that this machine has where it has not that. Never VECTORS_BEST. */
+enum vectors vectors_here(enum vectors wanted);
+
+#endif
