@@ -4,13 +4,9 @@
  * partition with FAT or exFAT of a USB disk is mounted by systemd at USB_STICK_FOLDER, with nosuid, nodev, noexec and
  * owned by the kiosk's user; those file systems have no links, no devices and no owners of their own. The unit of the
  * kiosk must see mounts come (MountFlags=slave, which is systemd's way wherever it gives a unit mounts of its own) and
- * may write there (ReadWritePaths=-/run/frond/stick).
- *
- * The kernel says when the list of mounts changes: poll usb_stick_fd for POLLPRI, then usb_stick_look. */
+ * may write there (ReadWritePaths=-/run/frond/stick). */
 #ifndef FROND_USB_STICK_H
 #define FROND_USB_STICK_H
-
-#include <stdbool.h>
 
 #define USB_STICK_FOLDER "/run/frond/stick"
 
