@@ -102,13 +102,8 @@ static void settle(struct place *place, bool growing)
         const struct live_scene_draw *draw = &place->live.scene_draw;
         bool still = !draw->dish.layer.drawer.type->moves(&draw->dish.layer.drawer, NULL) &&
                      !draw->bolts.layer.drawer.type->moves(&draw->bolts.layer.drawer, NULL);
-<<<<<<< HEAD
         calm = still && place->live.picture.picture &&
                (growing || !draw->bolts.layer.shown || draw->bolts.layer.newest->calm) &&
-=======
-        calm = still && place->live.picture.picture &&
-               (growing || !draw->bolts.layer.shown || draw->bolts.layer.newest->calm) &&
->>>>>>> scan
                (growing || (live_scene_is_calm(place->live.scene) && !live_scene_draw_moves(draw)));
     }
 }
