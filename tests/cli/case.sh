@@ -1,10 +1,12 @@
 # shellcheck shell=sh
 # What the scripts of this folder share: `. "$(dirname "$0")/case.sh"`. Each gets Frond (or for unit.sh the build) as its
-# first argument, works in a folder of its own, $work, and ends with `verdict`.
+# first argument, some a folder as the $second, works in a folder of its own, $work, and ends with `verdict`.
 set -u
 frond=$(realpath "$1") || exit 1
 # shellcheck disable=SC2034 # of some
 here=$(realpath "$(dirname "$0")") || exit 1
+# shellcheck disable=SC2034 # of some
+second=$(realpath "${2-.}") || exit 1
 work=$(mktemp -d) || exit 1
 running='' broker='' # processes in the background, which end with the script
 # shellcheck disable=SC2086 # words

@@ -2,7 +2,7 @@
 # The command line as people meet it: exit status, what is printed where, and what is left behind. cli.sh FROND DATA
 # shellcheck source=tests/cli/case.sh
 . "$(dirname "$0")/case.sh"
-data=$(realpath "$2") || exit 1
+data=$second
 
 prints() { # a line of stdout
     grep -qxF -- "$1" out.txt || fail "$last: stdout lacks: $1"

@@ -2,7 +2,7 @@
 # `frond run` on a display in memory, and the engine of the GPU: what is said, what is left behind. live.sh FROND DATA
 # shellcheck source=tests/cli/case.sh
 . "$(dirname "$0")/case.sh"
-data=$(realpath "$2") || exit 1
+data=$second
 
 cp "$data"/sessions/one-drop.yaml .
 

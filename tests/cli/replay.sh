@@ -2,7 +2,7 @@
 # frond replay as people meet it: what it paints again, what it says, what it leaves behind. replay.sh FROND DATA
 # shellcheck source=tests/cli/case.sh
 . "$(dirname "$0")/case.sh"
-data=$(realpath "$2") || exit 1
+data=$second
 
 # A session and its journal are one painting, to the bit.
 expect 0 render "$data/sessions/small.yaml" -o a.png --stats a.json --journal a.frond

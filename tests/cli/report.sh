@@ -2,7 +2,7 @@
 # `frond report`: everything that it promises, and nothing about people. report.sh FROND EXHIBITS
 # shellcheck source=tests/cli/case.sh
 . "$(dirname "$0")/case.sh"
-exhibits=$(realpath "$2") || exit 1
+exhibits=$second
 
 # A machine with a telling name, where that can be had, an owner, and an exhibit in which both have left their traces.
 host=salle-sept
