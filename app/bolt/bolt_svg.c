@@ -114,7 +114,7 @@ bool bolt_write_svg(const struct bolt_result *result, const char *path, struct f
                   fill_of(order->bolt.look.ground).text);
     for (int layer = glows ? 0 : 1; layer < 2; layer++) {
         file_text_put(&text, layer == 0 ? "<g id=\"glow-layer\" filter=\"url(#glow)\">\n" : "<g id=\"branches\">\n");
-        if (!text.failed) {
+        if (branches && places) {
             put_all(&text, result, branches, places);
         }
         file_text_put(&text, "</g>\n");
