@@ -1,5 +1,6 @@
-# Tests where a sanitizer looks on (FROND_SANITIZE). They may know it, by SANITIZED and SANITIZED_THREAD; every folder that
-# has tests calls frond_sanitized() last, which gives them patience and options.
+# Tests where a sanitizer looks on (FROND_SANITIZE), or lines are counted (FROND_COVERAGE). They may know the former, by
+# SANITIZED and SANITIZED_THREAD; every folder that has tests calls frond_sanitized() last, which gives them patience and
+# options.
 #
 # tests/run --sanitized runs all there are, but for these (and those of the virtual machine, which start what was built for it):
 #   unit.painting_same    the same bits from every kernel and any number of threads, at length: unit.painting has its calls,
@@ -18,16 +19,16 @@ if(FROND_SANITIZE MATCHES thread)
 endif()
 
 function(frond_sanitized)
-    if(NOT FROND_SANITIZE)
+    if(NOT FROND_SANITIZE AND NOT FROND_COVERAGE)
         return()
     endif()
     set(patience 4)
-    if(FROND_SANITIZE MATCHES thread)
+    if(FROND_SANITIZE MATCHES thread OR FROND_COVERAGE)
         set(patience 12)
     endif()
     get_property(tests DIRECTORY PROPERTY TESTS)
     foreach(test IN LISTS tests)
-        if(test IN_LIST frond_unsanitized)
+        if(FROND_SANITIZE AND test IN_LIST frond_unsanitized)
             set_tests_properties(${test} PROPERTIES DISABLED TRUE)
         endif()
         get_test_property(${test} TIMEOUT limit)

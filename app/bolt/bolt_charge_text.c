@@ -5,7 +5,6 @@
 #include <string.h>
 
 static const double FARTHEST = 131000, STRONGEST = 1e9, THICKEST = 131000;
-static const char *const SHAPES[LAPLACIAN_SHAPES] = {"point:", "line:", "plane:", "cylinder:", "stroke:"};
 static const float CHARGES[LAPLACIAN_SHAPES] = {1000, 100, 1000, 100, 10}; /* where none is given */
 
 static const char FORM[] = "X,Y[,Z], line:X,Y/DX,DY, plane:X,Y/DX,DY, cylinder:X,Y/DX,DY/RADIUS or "
@@ -69,9 +68,9 @@ static bool take_path(struct bolt_order *order, const char **text, struct laplac
 static enum laplacian_shape take_shape(const char **text)
 {
     for (int shape = 0; shape < LAPLACIAN_SHAPES; shape++) {
-        size_t length = strlen(SHAPES[shape]);
-        if (strncmp(*text, SHAPES[shape], length) == 0) {
-            *text += length;
+        size_t length = strlen(laplacian_shape_names[shape]);
+        if (strncmp(*text, laplacian_shape_names[shape], length) == 0 && (*text)[length] == ':') {
+            *text += length + 1;
             return (enum laplacian_shape)shape;
         }
     }

@@ -14,6 +14,7 @@ enum { SIZE = 1024, SIDES = 6, FILM = 120, RASTER_SIDE = 1024, PANORAMA_SIDE = 2
 
 #define KEY_AT(field) offsetof(struct bolt_order, field)
 
+const char *const bolt_picture_names[BOLT_PICTURES] = {"mask", "eta_map", "outline", "environment"};
 static const char *const PLANTS[LSYSTEM_KINDS + 2] = {"none", "tree", "vine", "bush", "fan", NULL};
 
 const struct key bolt_order_keys[] = {
@@ -35,14 +36,31 @@ struct bolt_order bolt_order_default(void)
     return order;
 }
 
+static void strip(struct bolt_order *order)
+{
+    if (order->bare) {
+        order->bolt.growth.charge_count = order->bolt.growth.seed_count = 0;
+    }
+}
+
 void bolt_order_preset(struct bolt_order *order)
 {
     bolt_preset(&order->bolt, (enum bolt_kind)order->kind, order->width, order->height);
     if (order->lsystem > 0) {
-        bolt_plant_preset(order);
+        bolt_plant_preset(order, (float)order->width); /* a cell is a pixel */
     }
-    if (order->bare) {
-        order->bolt.growth.charge_count = order->bolt.growth.seed_count = 0;
+    strip(order);
+}
+
+void bolt_order_respan(struct bolt_order *order, float span)
+{
+    if (order->lsystem > 0) {
+        int dimensions = order->plant.growth.dimensions;
+        bolt_plant_preset(order, span);
+        order->plant.growth.dimensions = dimensions;
+        strip(order);
+    } else {
+        bolt_respan(&order->bolt, span);
     }
 }
 

@@ -13,6 +13,7 @@
 enum { BOLT_OUTPUTS = 8, BOLT_SIDE_MOST = 8192, BOLT_PATH_PLACES = 1024 };
 
 enum bolt_picture { BOLT_MASK, BOLT_ETA_MAP, BOLT_OUTLINE, BOLT_ENVIRONMENT, BOLT_PICTURES };
+extern const char *const bolt_picture_names[BOLT_PICTURES]; /* "mask", ...: as of laplacian_keys */
 
 /* The tables laplacian_keys, bolt_look_keys and bolt_order_keys say units and ranges. Texts belong to whoever made it.
  */
@@ -41,6 +42,9 @@ extern const struct key bolt_order_keys[]; /* of struct bolt_order; ends with a 
 struct bolt_order bolt_order_default(void);
 /* The kind's own values, in this room; its charges and seeds unless `bare`. The order stays where it is. */
 void bolt_order_preset(struct bolt_order *order);
+/* Another span, in cells. An aggregate keeps its particles, which are a cell each (bolt_respan); a plant is as large in
+ * the picture as before, its lengths too. What was asked for instead of them, but for dimensions, is lost. */
+void bolt_order_respan(struct bolt_order *order, float span);
 void bolt_order_finish(struct bolt_order *order); /* takes zeroed */
 
 /* Grows it and writes all. False with the error; what was written before stays. */

@@ -10,14 +10,22 @@ static enum lsystem_kind kind_of(const struct bolt_order *order)
     return (enum lsystem_kind)(order->lsystem - 1);
 }
 
-void bolt_plant_preset(struct bolt_order *order)
+static int cells_of(float side)
+{
+    return side > 1 ? (int)(side + 0.5f) : 1;
+}
+
+void bolt_plant_preset(struct bolt_order *order, float span)
 {
     struct lsystem_plant *plant = &order->plant;
     struct laplacian_def *growth = &order->bolt.growth;
-    lsystem_plant_preset(plant, kind_of(order), order->width, order->height);
+    float pixels = (float)order->width / span; /* a cell */
+    lsystem_plant_preset(plant, kind_of(order), cells_of(span), cells_of((float)order->height / pixels));
     order->bolt.look = plant->look;
+    order->bolt.look.trunk *= pixels;
+    order->bolt.look.tip *= pixels;
     growth->dimensions = plant->growth.dimensions;
-    growth->span = (float)order->width; /* a cell is a pixel */
+    growth->span = span;
     growth->extent = 0;
     growth->charge_count = plant->growth.charge_count;
     growth->seed_count = plant->growth.seed_count;

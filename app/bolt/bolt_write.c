@@ -6,6 +6,7 @@
 
 #include "bolt_order.h"
 #include "image.h"
+#include "json_number.h"
 #include "laplacian_figures.h"
 #include "progress.h"
 
@@ -76,9 +77,7 @@ bool bolt_write_frames(const struct bolt_result *result, const char *folder, str
 
 static void add_number(struct json_object *object, const char *name, double value)
 {
-    char text[32];
-    snprintf(text, sizeof text, "%.9g", value);
-    json_object_object_add(object, name, json_object_new_double_s(value, text));
+    json_object_object_add(object, name, json_number(value, 9));
 }
 
 static void add_keys(struct json_object *object, const struct key *keys, const void *values)
@@ -111,21 +110,18 @@ static struct json_object *place_of(const float *at, int dimensions)
 {
     struct json_object *place = json_object_new_array();
     for (int d = 0; d < dimensions; d++) {
-        char text[32];
-        snprintf(text, sizeof text, "%.9g", (double)at[d]);
-        json_object_array_add(place, json_object_new_double_s((double)at[d], text));
+        json_object_array_add(place, json_number((double)at[d], 9));
     }
     return place;
 }
 
 static void add_charges(struct json_object *object, const struct laplacian_def *growth)
 {
-    static const char *const SHAPES[LAPLACIAN_SHAPES] = {"point", "line", "plane", "cylinder", "stroke"};
     struct json_object *charges = json_object_new_array(), *seeds = json_object_new_array();
     for (int i = 0; i < growth->charge_count; i++) {
         const struct laplacian_charge *charge = &growth->charges[i];
         struct json_object *entry = json_object_new_object();
-        json_object_object_add(entry, "shape", json_object_new_string(SHAPES[charge->shape]));
+        json_object_object_add(entry, "shape", json_object_new_string(laplacian_shape_names[charge->shape]));
         add_number(entry, "charge", (double)charge->charge);
         json_object_object_add(entry, "ends", json_object_new_boolean(charge->ends));
         if (charge->shape == LAPLACIAN_STROKE) {
@@ -154,7 +150,6 @@ static void add_charges(struct json_object *object, const struct laplacian_def *
 
 bool bolt_write_stats(const struct bolt_result *result, const char *path, struct file_error *error)
 {
-    static const char *const PICTURES[BOLT_PICTURES] = {"mask", "eta_map", "outline", "environment"};
     const struct bolt_order *order = result->order;
     struct laplacian_figures figures;
     if (!laplacian_measure(result->laplacian, &figures)) {
@@ -184,7 +179,7 @@ bool bolt_write_stats(const struct bolt_result *result, const char *path, struct
     add_keys(parameters, bolt_look_keys, &order->bolt.look);
     for (int i = 0; i < BOLT_PICTURES; i++) {
         if (order->pictures[i]) {
-            json_object_object_add(parameters, PICTURES[i], json_object_new_string(order->pictures[i]));
+            json_object_object_add(parameters, bolt_picture_names[i], json_object_new_string(order->pictures[i]));
         }
     }
     add_charges(parameters, &order->bolt.growth);

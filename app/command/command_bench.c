@@ -6,6 +6,7 @@
 
 #include "bench.h"
 #include "command.h"
+#include "json_number.h"
 #include "option.h"
 #include "script_value.h"
 
@@ -24,23 +25,13 @@ static const struct {
                {"growth", bench_growth},     {"chemistry", bench_chemistry}, {"scenes", bench_scenes}};
 enum { BENCH_COUNT = sizeof BENCHES / sizeof BENCHES[0] };
 
-static void print_help(void)
-{
-    fputs(HELP, stdout);
-    for (int i = 0; i < BENCH_COUNT; i++) {
-        printf("%s%s", BENCHES[i].name, i + 1 < BENCH_COUNT ? ", " : "\n");
-    }
-}
-
 static void print_json(const struct bench *bench)
 {
     struct json_object *object = json_object_new_object(), *figures = json_object_new_array();
     for (int i = 0; i < bench->count; i++) {
         struct json_object *figure = json_object_new_object();
-        char text[32];
-        snprintf(text, sizeof text, "%.6g", bench->figures[i].value);
         json_object_object_add(figure, "name", json_object_new_string(bench->figures[i].name));
-        json_object_object_add(figure, "value", json_object_new_double_s(bench->figures[i].value, text));
+        json_object_object_add(figure, "value", json_number(bench->figures[i].value, 6));
         json_object_object_add(figure, "unit", json_object_new_string(bench->figures[i].unit));
         json_object_array_add(figures, figure);
     }
@@ -96,23 +87,24 @@ static int run_bench(const char *name, bool json)
 
 int command_bench(int argc, char *argv[])
 {
-    enum { JSON = 256, HELP_ASKED };
-    static const struct option OPTIONS[] = {
-        {"json", no_argument, NULL, JSON}, {"help", no_argument, NULL, HELP_ASKED}, {NULL, 0, NULL, 0}};
-    bool json = false;
-    for (int option; (option = getopt_long(argc, argv, ":h", OPTIONS, NULL)) != -1;) {
-        if (option == JSON) {
-            json = true;
-        } else if (option == HELP_ASKED || option == 'h') {
-            print_help();
-            return EXIT_STATUS_GOOD;
-        } else {
-            return option_usage("bench", option, argv);
-        }
+    struct asked {
+        bool json;
+    } asked = {false};
+    static const struct option_row OPTIONS[] = {{"json", OPTION_FLAG, .offset = offsetof(struct asked, json)},
+                                                {.name = NULL}};
+    char help[800] = "";
+    snprintf(help, sizeof help, "%s", HELP);
+    for (int i = 0; i < BENCH_COUNT; i++) {
+        size_t length = strlen(help);
+        snprintf(help + length, sizeof help - length, "%s%s", BENCHES[i].name, i + 1 < BENCH_COUNT ? ", " : "\n");
+    }
+    int status = options_read("bench", help, OPTIONS, argc, argv, &asked);
+    if (status >= 0) {
+        return status;
     }
     if (argc - optind > 1) {
         fprintf(stderr, "frond bench: one NAME at the most; see frond bench --help\n");
         return EXIT_STATUS_USAGE;
     }
-    return run_bench(optind < argc ? argv[optind] : NULL, json);
+    return run_bench(optind < argc ? argv[optind] : NULL, asked.json);
 }

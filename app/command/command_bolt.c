@@ -147,6 +147,15 @@ static void list_options(struct options *options)
     list_table(options, lsystem_keys, offsetof(struct bolt_order, plant.growth));
 }
 
+static void print_plants(void)
+{
+    printf("\nPlants (--lsystem):\n");
+    for (int i = 0; i < LSYSTEM_KINDS; i++) {
+        printf("      %-22s %s\n", lsystem_kind_names[i], lsystem_kind_meanings[i]);
+    }
+    printf("\nOf plants, which take --dimensions, --eta, --seed and --environment too:\n");
+}
+
 static void print_help(const struct options *options)
 {
     fputs(HELP, stdout);
@@ -158,7 +167,7 @@ static void print_help(const struct options *options)
         char range[1400], name[48];
         const struct row *row = &options->rows[i];
         if (row->plant && !options->rows[i - 1].plant) {
-            printf("\nOf plants (--lsystem), which take --dimensions, --eta, --seed and --environment too:\n");
+            print_plants();
         }
         const char *value = row->key->type == KEY_FLAG ? "" : row->key->type == KEY_PICTURE ? " PICTURE" : " VALUE";
         snprintf(name, sizeof name, "--%s%s", row->name, value);
@@ -189,9 +198,8 @@ static bool take_number(const struct key *key, const char *text, float *field)
 
 static void take_picture(struct bolt_order *order, const char *name, const char *path)
 {
-    static const char *const NAMES[BOLT_PICTURES] = {"mask", "eta_map", "outline", "environment"};
     for (int i = 0; i < BOLT_PICTURES; i++) {
-        if (strcmp(NAMES[i], name) == 0) {
+        if (strcmp(bolt_picture_names[i], name) == 0) {
             order->pictures[i] = path;
         }
     }
@@ -229,7 +237,7 @@ static bool take_value(struct bolt_order *order, const struct row *row, const ch
     } else if (strcmp(key->name, "span") == 0) {
         float span = order->bolt.growth.span;
         good = take_number(key, text, &span);
-        bolt_respan(&order->bolt, span);
+        bolt_order_respan(order, span);
     } else {
         good = take_number(key, text, field);
     }

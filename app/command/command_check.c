@@ -41,15 +41,10 @@ static void check(const char *path, const struct script_def *def, struct report 
 
 int command_check(int argc, char *argv[])
 {
-    static const struct option options[] = {{"help", no_argument, NULL, 'h'}, {NULL, 0, NULL, 0}};
-    int option;
-    optind = 0;
-    while ((option = getopt_long(argc, argv, ":h", options, NULL)) != -1) {
-        if (option != 'h') {
-            return option_usage("check", option, argv);
-        }
-        fputs(HELP, stdout);
-        return EXIT_STATUS_GOOD;
+    static const struct option_row NONE[] = {{.name = NULL}};
+    int status = options_read("check", HELP, NONE, argc, argv, NULL);
+    if (status >= 0) {
+        return status;
     }
     if (optind == argc) {
         fprintf(stderr, "frond check: no script is given; see frond check --help\n");
@@ -58,7 +53,7 @@ int command_check(int argc, char *argv[])
     struct script_def def = script_default_def();
     def.load = pictures_load;
     def.every_picture = true;
-    int status = EXIT_STATUS_GOOD;
+    status = EXIT_STATUS_GOOD;
     for (int i = optind; i < argc; i++) {
         struct report report, warnings;
         report_init(&report, argv[i]);

@@ -25,7 +25,7 @@ static const char HELP[] =
     "      --json             with --descriptor\n"
     "      --help             this\n";
 
-enum { INPUTS = 256, WATCH, SECONDS, DESCRIPTOR, JSON, HELP_ASKED, SECONDS_MOST = 86400, SETTLE_MS = 300 };
+enum { SECONDS_MOST = 86400, SETTLE_MS = 300 };
 
 struct order {
     const char *inputs, *descriptor; /* paths; NULL: none */
@@ -148,53 +148,21 @@ static int list(const struct order *order)
     return sources ? EXIT_STATUS_GOOD : EXIT_STATUS_FAILED;
 }
 
-/* -1 when it is right. */
-static int take_option(struct order *order, int option)
-{
-    switch (option) {
-    case INPUTS:
-        order->inputs = optarg;
-        return -1;
-    case WATCH:
-        order->watch = true;
-        return -1;
-    case SECONDS:
-        if (!option_whole(optarg, 1, SECONDS_MOST, &order->seconds)) {
-            fprintf(stderr, "frond devices: --seconds: '%s' is not it; 1 to 86400 seconds\n", optarg);
-            return EXIT_STATUS_USAGE;
-        }
-        return -1;
-    case DESCRIPTOR:
-        order->descriptor = optarg;
-        return -1;
-    default:
-        order->json = true;
-        return -1;
-    }
-}
+#define ORDER(field) .offset = offsetof(struct order, field)
+
+static const struct option_row OPTIONS[] = {
+    {"inputs", OPTION_TEXT, ORDER(inputs)},
+    {"watch", OPTION_FLAG, ORDER(watch)},
+    {"seconds", OPTION_WHOLE, ORDER(seconds), 1, SECONDS_MOST, " seconds"},
+    {"descriptor", OPTION_TEXT, ORDER(descriptor)},
+    {"json", OPTION_FLAG, ORDER(json)},
+    {.name = NULL},
+};
 
 int command_devices(int argc, char *argv[])
 {
-    static const struct option options[] = {{"inputs", required_argument, NULL, INPUTS},
-                                            {"watch", no_argument, NULL, WATCH},
-                                            {"seconds", required_argument, NULL, SECONDS},
-                                            {"descriptor", required_argument, NULL, DESCRIPTOR},
-                                            {"json", no_argument, NULL, JSON},
-                                            {"help", no_argument, NULL, HELP_ASKED},
-                                            {NULL, 0, NULL, 0}};
     struct order order = {.seconds = 0};
-    int option, status = -1;
-    optind = 0;
-    while (status < 0 && (option = getopt_long(argc, argv, ":h", options, NULL)) != -1) {
-        if (option == HELP_ASKED || option == 'h') {
-            fputs(HELP, stdout);
-            return EXIT_STATUS_GOOD;
-        }
-        if (option == '?' || option == ':') {
-            return option_usage("devices", option, argv);
-        }
-        status = take_option(&order, option);
-    }
+    int status = options_read("devices", HELP, OPTIONS, argc, argv, &order);
     if (status >= 0) {
         return status;
     }

@@ -94,22 +94,15 @@ static int explain_words(int count, char *words[], drawing *draw)
 
 int command_explain(int argc, char *argv[])
 {
-    static const struct option options[] = {{"help", no_argument, NULL, 'h'},
-                                            {"json", no_argument, NULL, 'j'},
-                                            {"dot", no_argument, NULL, 'd'},
-                                            {NULL, 0, NULL, 0}};
-    drawing *draw = NULL;
-    int option;
-    optind = 0;
-    while ((option = getopt_long(argc, argv, ":h", options, NULL)) != -1) {
-        if (option == 'j' || option == 'd') {
-            draw = option == 'j' ? graph_draw_json : graph_draw_dot;
-        } else if (option != 'h') {
-            return option_usage("explain", option, argv);
-        } else {
-            fputs(HELP, stdout);
-            return EXIT_STATUS_GOOD;
-        }
-    }
-    return explain_words(argc - optind, argv + optind, draw);
+    struct drawn {
+        bool json, dot;
+    } drawn = {false, false};
+    static const struct option_row OPTIONS[] = {
+        {"json", OPTION_FLAG, .offset = offsetof(struct drawn, json)},
+        {"dot", OPTION_FLAG, .offset = offsetof(struct drawn, dot)},
+        {.name = NULL},
+    };
+    int status = options_read("explain", HELP, OPTIONS, argc, argv, &drawn);
+    drawing *draw = drawn.json ? graph_draw_json : drawn.dot ? graph_draw_dot : NULL;
+    return status < 0 ? explain_words(argc - optind, argv + optind, draw) : status;
 }

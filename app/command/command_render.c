@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "easel.h"
 #include "exhibit.h"
 #include "feeder.h"
 #include "option.h"
@@ -37,152 +38,52 @@ static const char HELP[] = "usage: frond render SCRIPT -o FILE.png [OPTIONS]\n"
                            "      --dense            nothing sleeps; the picture is the same\n"
                            "      --help             this\n";
 
-enum {
-    FRAMES = 256,
-    EVERY,
-    FIELDS,
-    STATS,
-    SVG,
-    PAPER,
-    SIZE,
-    SEED,
-    TICKS,
-    THREADS,
-    DENSE,
-    ENGINE,
-    SHADERS,
-    JOURNAL,
-    SCENE,
-    HELP_ASKED,
-    THREADS_MAX = 64
-};
-
 struct order {
     struct render_def def;
     const char *script, *scene;
     int seed, ticks; /* -1: the script's */
 };
 
-static int wrong(const char *option, const char *found, const char *allowed)
-{
-    fprintf(stderr, "frond render: --%s: '%s' is not it; %s\n", option, found, allowed);
-    return EXIT_STATUS_USAGE;
-}
+#define ORDER(field) .offset = offsetof(struct order, field)
 
-/* One option; -1 when it is right. */
-static int take_option(struct order *order, int option)
-{
-    struct render_def *def = &order->def;
-    int paper;
-    switch (option) {
-    case 'o':
-        def->picture = optarg;
-        break;
-    case FRAMES:
-        def->frames = optarg;
-        break;
-    case FIELDS:
-        def->fields = optarg;
-        break;
-    case STATS:
-        def->stats = optarg;
-        break;
-    case JOURNAL:
-        def->journal = optarg;
-        break;
-    case SVG:
-        def->svg = optarg;
-        break;
-    case PAPER:
-        if (!option_whole(optarg, PLAN_PAPER_LEAST, PLAN_PAPER_MOST, &paper)) {
-            return wrong("paper", optarg, "10 to 5000 mm");
-        }
-        def->paper_mm = paper;
-        break;
-    case DENSE:
-        def->dense = true;
-        break;
-    case SHADERS:
-        def->shaders = optarg;
-        break;
-    case ENGINE:
-        def->engine = engine_kind_find(optarg);
-        if (def->engine == ENGINE_KINDS) {
-            return wrong("engine", optarg, "one of auto, cpu, gpu");
-        }
-        break;
-    case EVERY:
-        if (!option_whole(optarg, 1, SCRIPT_TICKS_MAX, &def->every)) {
-            return wrong("every", optarg, "1 to 10000000 ticks");
-        }
-        break;
-    case SIZE:
-        if (!option_size(optarg, PICTURE_SIZE_MAX, &def->width, &def->height)) {
-            return wrong("size", optarg, "WxH, each 1 to 16384 pixels");
-        }
-        break;
-    case SEED:
-        if (!option_whole(optarg, 0, 2147483647, &order->seed)) {
-            return wrong("seed", optarg, "0 to 2147483647");
-        }
-        break;
-    case SCENE:
-        order->scene = optarg;
-        break;
-    case TICKS:
-        if (!option_whole(optarg, 0, SCRIPT_TICKS_MAX, &order->ticks)) {
-            return wrong("ticks", optarg, "0 to 10000000 ticks");
-        }
-        break;
-    case THREADS:
-        if (!option_whole(optarg, 1, THREADS_MAX, &def->threads)) {
-            return wrong("threads", optarg, "1 to 64");
-        }
-        break;
-    default:
-        break;
-    }
-    return -1;
-}
+static const struct option_row OPTIONS[] = {
+    {"output", OPTION_TEXT, ORDER(def.picture)},
+    {"size", OPTION_SIZE, ORDER(def.width), .most = PICTURE_SIZE_MAX},
+    {"frames", OPTION_TEXT, ORDER(def.frames)},
+    {"every", OPTION_WHOLE, ORDER(def.every), 1, SCRIPT_TICKS_MAX, " ticks"},
+    {"fields", OPTION_TEXT, ORDER(def.fields)},
+    {"stats", OPTION_TEXT, ORDER(def.stats)},
+    {"journal", OPTION_TEXT, ORDER(def.journal)},
+    {"svg", OPTION_TEXT, ORDER(def.svg)},
+    {"paper", OPTION_WHOLE, ORDER(def.paper_mm), PLAN_PAPER_LEAST, PLAN_PAPER_MOST, " mm"},
+    {"scene", OPTION_TEXT, ORDER(scene)},
+    {"seed", OPTION_WHOLE, ORDER(seed), 0, 2147483647, ""},
+    {"ticks", OPTION_WHOLE, ORDER(ticks), 0, SCRIPT_TICKS_MAX, " ticks"},
+    {"engine", OPTION_ENGINE, ORDER(def.engine)},
+    {"shaders", OPTION_TEXT, ORDER(def.shaders)},
+    {"threads", OPTION_WHOLE, ORDER(def.threads), 1, EASEL_THREADS_MOST, ""},
+    {"dense", OPTION_FLAG, ORDER(def.dense)},
+    {.name = NULL},
+};
 
-/* Reads the command line. False when that was all, with the exit status. */
-static bool read_order(int argc, char *argv[], struct order *order, int *status)
+/* Reads the command line; -1 when it is right, else the exit status. */
+static int read_order(int argc, char *argv[], struct order *order)
 {
-    static const struct option options[] = {
-        {"output", required_argument, NULL, 'o'},      {"size", required_argument, NULL, SIZE},
-        {"frames", required_argument, NULL, FRAMES},   {"every", required_argument, NULL, EVERY},
-        {"fields", required_argument, NULL, FIELDS},   {"stats", required_argument, NULL, STATS},
-        {"svg", required_argument, NULL, SVG},         {"paper", required_argument, NULL, PAPER},
-        {"seed", required_argument, NULL, SEED},       {"ticks", required_argument, NULL, TICKS},
-        {"threads", required_argument, NULL, THREADS}, {"dense", no_argument, NULL, DENSE},
-        {"engine", required_argument, NULL, ENGINE},   {"shaders", required_argument, NULL, SHADERS},
-        {"journal", required_argument, NULL, JOURNAL}, {"scene", required_argument, NULL, SCENE},
-        {"help", no_argument, NULL, HELP_ASKED},       {NULL, 0, NULL, 0}};
-    int option;
-    optind = 0;
-    while ((option = getopt_long(argc, argv, ":o:h", options, NULL)) != -1) {
-        if (option == HELP_ASKED || option == 'h') {
-            fputs(HELP, stdout);
-            *status = EXIT_STATUS_GOOD;
-            return false;
-        }
-        *status = option == '?' || option == ':' ? option_usage("render", option, argv) : take_option(order, option);
-        if (*status >= 0) {
-            return false;
-        }
+    int status = options_read("render", HELP, OPTIONS, argc, argv, order);
+    if (status >= 0) {
+        return status;
     }
-    *status = EXIT_STATUS_USAGE;
     if (optind + 1 != argc) {
         fprintf(stderr, "frond render: %s; see frond render --help\n",
                 optind < argc ? "one script at a time" : "no script is given");
-        return false;
+        return EXIT_STATUS_USAGE;
     }
     if (!order->def.picture && !order->def.svg) {
         fprintf(stderr, "frond render: no picture is asked for: -o FILE.png; see frond render --help\n");
-        return false;
+        return EXIT_STATUS_USAGE;
     }
     order->script = argv[optind];
-    return true;
+    return -1;
 }
 
 static bool render_script(const struct order *order, struct script *script, struct file_error *error)
@@ -243,8 +144,8 @@ static int render_exhibit(const struct order *order, const struct script_def *de
 int command_render(int argc, char *argv[])
 {
     struct order order = {.def = render_default_def(), .seed = -1, .ticks = -1};
-    int status;
-    if (!read_order(argc, argv, &order, &status)) {
+    int status = read_order(argc, argv, &order);
+    if (status >= 0) {
         return status;
     }
     struct script_def def = script_default_def();

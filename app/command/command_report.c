@@ -38,7 +38,7 @@ static const char HELP[] =
     "      --status DIR   where the service has its status, /run/frond/status if left out\n"
     "      --help         this\n";
 
-enum { STATUS = 256, LINE = 1200, SOME = 65536 };
+enum { LINE = 1200, SOME = 65536 };
 
 static const size_t FILE_MOST = 2u << 20;
 
@@ -246,28 +246,16 @@ static int put_together(struct work *work)
 
 int command_report(int argc, char *argv[])
 {
-    static const struct option options[] = {{"output", required_argument, NULL, 'o'},
-                                            {"status", required_argument, NULL, STATUS},
-                                            {"help", no_argument, NULL, 'h'},
-                                            {NULL, 0, NULL, 0}};
+    static const struct option_row OPTIONS[] = {
+        {"output", OPTION_TEXT, .offset = offsetof(struct work, output)},
+        {"status", OPTION_TEXT, .offset = offsetof(struct work, status)},
+        {.name = NULL},
+    };
     struct work work = {
         .exhibit = "/etc/frond/exhibit.yaml", .status = "/run/frond/status", .output = "frond-report.tar.gz"};
-    int option;
-    optind = 0;
-    while ((option = getopt_long(argc, argv, ":o:h", options, NULL)) != -1) {
-        switch (option) {
-        case 'o':
-            work.output = optarg;
-            break;
-        case STATUS:
-            work.status = optarg;
-            break;
-        case 'h':
-            fputs(HELP, stdout);
-            return EXIT_STATUS_GOOD;
-        default:
-            return option_usage("report", option, argv);
-        }
+    int status = options_read("report", HELP, OPTIONS, argc, argv, &work);
+    if (status >= 0) {
+        return status;
     }
     if (argc - optind > 1) {
         fprintf(stderr, "frond report: one exhibit at a time; see frond report --help\n");
@@ -276,7 +264,7 @@ int command_report(int argc, char *argv[])
     work.exhibit = optind < argc ? argv[optind] : work.exhibit;
     work.bundle = bundle_create();
     work.scrub = scrub_create();
-    int status = put_together(&work);
+    status = put_together(&work);
     scrub_destroy(work.scrub);
     bundle_destroy(work.bundle);
     return status;

@@ -42,40 +42,12 @@ static const char HELP[] =
     "      --shaders DIR     shader sources from a folder, looked at again when they change\n"
     "      --help            this\n";
 
-enum {
-    DISPLAY = 256,
-    CARD,
-    CONNECTOR,
-    MODE,
-    ROTATE,
-    INPUTS,
-    HOLD,
-    CONSOLE,
-    STANDBY,
-    ENGINE,
-    RATE,
-    TICKS,
-    ONCE,
-    FRAMES,
-    SHOT,
-    XRAY,
-    FULL,
-    SHADERS,
-    STATE,
-    OPEN,
-    HELP_ASKED,
-    RATE_MOST = 1000,
-};
-
-static int wrong(const char *option, const char *found, const char *allowed)
-{
-    fprintf(stderr, "frond run: --%s: '%s' is not it; %s\n", option, found, allowed);
-    return EXIT_STATUS_USAGE;
-}
+enum { RATE_MOST = 1000 };
 
 /* "1920x1080" or "1920x1080@59.94". */
-static bool take_mode(const char *text, struct display_def *def)
+static bool take_mode(const char *text, void *object)
 {
+    struct display_def *def = &((struct run_order *)object)->display;
     char size[32];
     const char *at = strchr(text, '@');
     size_t length = at ? (size_t)(at - text) : strlen(text);
@@ -95,8 +67,9 @@ static bool take_mode(const char *text, struct display_def *def)
     return option_size(size, DISPLAY_SIZE_MAX, &def->width, &def->height);
 }
 
-static bool take_display(const char *name, struct run_order *order)
+static bool take_display(const char *name, void *object)
 {
+    struct run_order *order = object;
     order->none = strcmp(name, "none") == 0;
     for (int i = 0; i < DISPLAY_KINDS; i++) {
         if (strcmp(display_kind_name((enum display_kind)i), name) == 0) {
@@ -107,144 +80,66 @@ static bool take_display(const char *name, struct run_order *order)
     return order->none;
 }
 
-/* Options of the screen; -1 when it is right, or none of these. */
-static int take_display_option(struct run_order *order, int option)
+static bool take_rotation(const char *text, void *object)
 {
-    struct display_def *def = &order->display;
-    switch (option) {
-    case DISPLAY:
-        return take_display(optarg, order) ? -1 : wrong("display", optarg, "one of auto, kms, window, headless, none");
-    case CARD:
-        def->card = optarg;
-        return -1;
-    case CONNECTOR:
-        def->connector = optarg;
-        return -1;
-    case MODE:
-        return take_mode(optarg, def) ? -1 : wrong("mode", optarg, "WxH or WxH@HZ, each side 1 to 8192 pixels");
-    case ROTATE:
-        if (!option_whole(optarg, 0, 270, &def->rotation) || def->rotation % 90 != 0) {
-            return wrong("rotate", optarg, "0, 90, 180 or 270 degrees");
-        }
-        order->rotated = true;
-        return -1;
-    default:
-        return -1;
-    }
+    struct run_order *order = object;
+    order->rotated = true;
+    return option_whole(text, 0, 270, &order->display.rotation) && order->display.rotation % 90 == 0;
 }
 
-/* All other options; -1 when it is right, or none of these. */
-static int take_live_option(struct run_order *order, int option)
+static bool take_rate(const char *text, void *object)
 {
-    int whole;
-    switch (option) {
-    case ENGINE:
-        order->live.engine = engine_kind_find(optarg);
-        return order->live.engine < ENGINE_KINDS ? -1 : wrong("engine", optarg, "one of auto, cpu, gpu");
-    case RATE:
-        if (!option_whole(optarg, 1, RATE_MOST, &whole)) {
-            return wrong("rate", optarg, "1 to 1000 ticks a second");
-        }
-        order->live.ticks_per_second = order->rate = whole;
-        return -1;
-    case TICKS:
-        return option_whole(optarg, 0, SCRIPT_TICKS_MAX, &order->ticks) ? -1
-                                                                        : wrong("ticks", optarg, "0 to 10000000 ticks");
-    case FRAMES:
-        if (!option_whole(optarg, 1, SCRIPT_TICKS_MAX, &whole)) {
-            return wrong("frames", optarg, "1 to 10000000 frames");
-        }
-        order->live.frames = whole;
-        return -1;
-    case INPUTS:
-        order->inputs = optarg;
-        return -1;
-    case HOLD:
-        order->live.hold = true;
-        return -1;
-    case CONSOLE:
-        order->live.console = optarg;
-        return -1;
-    case STANDBY:
-        order->standby = true;
-        return -1;
-    case ONCE:
-        order->live.once = true;
-        return -1;
-    case SHOT:
-        order->live.shot = optarg;
-        return -1;
-    case FULL:
-        order->live.governed = false;
-        return -1;
-    case XRAY:
-        order->live.xray = true;
-        return -1;
-    case SHADERS:
-        order->live.shaders = optarg;
-        return -1;
-    case OPEN:
-        order->live.open = true;
-        return -1;
-    case STATE:
-        order->live.state = optarg;
-        return -1;
-    default:
-        return -1;
-    }
+    struct run_order *order = object;
+    bool good = option_whole(text, 1, RATE_MOST, &order->rate);
+    order->live.ticks_per_second = order->rate;
+    return good;
 }
 
-/* Reads the command line; -1 when it is right, else the exit status. */
-static int read_order(int argc, char *argv[], struct run_order *order)
+static bool take_frames(const char *text, void *object)
 {
-    static const struct option options[] = {{"display", required_argument, NULL, DISPLAY},
-                                            {"card", required_argument, NULL, CARD},
-                                            {"connector", required_argument, NULL, CONNECTOR},
-                                            {"mode", required_argument, NULL, MODE},
-                                            {"rotate", required_argument, NULL, ROTATE},
-                                            {"inputs", required_argument, NULL, INPUTS},
-                                            {"hold", no_argument, NULL, HOLD},
-                                            {"console", required_argument, NULL, CONSOLE},
-                                            {"standby", no_argument, NULL, STANDBY},
-                                            {"engine", required_argument, NULL, ENGINE},
-                                            {"rate", required_argument, NULL, RATE},
-                                            {"ticks", required_argument, NULL, TICKS},
-                                            {"once", no_argument, NULL, ONCE},
-                                            {"frames", required_argument, NULL, FRAMES},
-                                            {"shot", required_argument, NULL, SHOT},
-                                            {"xray", no_argument, NULL, XRAY},
-                                            {"full", no_argument, NULL, FULL},
-                                            {"shaders", required_argument, NULL, SHADERS},
-                                            {"state", required_argument, NULL, STATE},
-                                            {"open", no_argument, NULL, OPEN},
-                                            {"help", no_argument, NULL, HELP_ASKED},
-                                            {NULL, 0, NULL, 0}};
-    int option, status = -1;
-    optind = 0;
-    while (status < 0 && (option = getopt_long(argc, argv, ":h", options, NULL)) != -1) {
-        if (option == HELP_ASKED || option == 'h') {
-            fputs(HELP, stdout);
-            return EXIT_STATUS_GOOD;
-        }
-        if (option == '?' || option == ':') {
-            return option_usage("run", option, argv);
-        }
-        status = take_display_option(order, option);
-        status = status < 0 ? take_live_option(order, option) : status;
-    }
-    if (status < 0 && argc - optind > 1) {
-        fprintf(stderr, "frond run: one exhibit or session at a time; see frond run --help\n");
-        return EXIT_STATUS_USAGE;
-    }
-    return status;
+    int frames = 0;
+    bool good = option_whole(text, 1, SCRIPT_TICKS_MAX, &frames);
+    ((struct run_order *)object)->live.frames = frames;
+    return good;
 }
+
+#define ORDER(field)        .offset = offsetof(struct run_order, field)
+#define OWN(taken, allowed) .unit = (allowed), .take = (taken)
+
+static const struct option_row OPTIONS[] = {
+    {"display", OPTION_OWN, OWN(take_display, "one of auto, kms, window, headless, none")},
+    {"card", OPTION_TEXT, ORDER(display.card)},
+    {"connector", OPTION_TEXT, ORDER(display.connector)},
+    {"mode", OPTION_OWN, OWN(take_mode, "WxH or WxH@HZ, each side 1 to 8192 pixels")},
+    {"rotate", OPTION_OWN, OWN(take_rotation, "0, 90, 180 or 270 degrees")},
+    {"state", OPTION_TEXT, ORDER(live.state)},
+    {"open", OPTION_FLAG, ORDER(live.open)},
+    {"inputs", OPTION_TEXT, ORDER(inputs)},
+    {"hold", OPTION_FLAG, ORDER(live.hold)},
+    {"console", OPTION_TEXT, ORDER(live.console)},
+    {"standby", OPTION_FLAG, ORDER(standby)},
+    {"engine", OPTION_ENGINE, ORDER(live.engine)},
+    {"rate", OPTION_OWN, OWN(take_rate, "1 to 1000 ticks a second")},
+    {"ticks", OPTION_WHOLE, ORDER(ticks), 0, SCRIPT_TICKS_MAX, " ticks"},
+    {"once", OPTION_FLAG, ORDER(live.once)},
+    {"frames", OPTION_OWN, OWN(take_frames, "1 to 10000000 frames")},
+    {"shot", OPTION_TEXT, ORDER(live.shot)},
+    {"full", OPTION_UNFLAG, ORDER(live.governed)},
+    {"xray", OPTION_FLAG, ORDER(live.xray)},
+    {"shaders", OPTION_TEXT, ORDER(live.shaders)},
+    {.name = NULL},
+};
 
 int command_run(int argc, char *argv[])
 {
     struct run_order order = {.display = display_default_def(), .live = live_default_def(), .ticks = -1};
-    int status = read_order(argc, argv, &order);
+    int status = options_read("run", HELP, OPTIONS, argc, argv, &order);
     if (status >= 0) {
         return status;
+    }
+    if (argc - optind > 1) {
+        fprintf(stderr, "frond run: one exhibit or session at a time; see frond run --help\n");
+        return EXIT_STATUS_USAGE;
     }
     return run_show(optind < argc ? argv[optind] : NULL, &order);
 }

@@ -2,90 +2,41 @@
 #include <string.h>
 
 #include "exhibit_read.h"
+#include "file_rows.h"
+#include "script_session.h"
 
 enum { ID_BYTES = 40, TICKS = 20000, TICKS_INITIAL = 600 };
 
-#define OF(field) .offset = offsetof(struct exhibit_feed, field)
-
+#define FEED struct exhibit_feed
 const struct key scene_feed_keys[] = {
-    {.name = "from",
-     .type = KEY_TEXT,
-     .unit = "the id of a scene",
-     .min = 1,
-     .max = ID_BYTES,
-     OF(id),
-     .required = true,
-     .meaning = "The scene that it comes from: what has just been made in it on this sheet, else what it grows by "
-                "itself."},
-    {.name = "of",
-     .type = KEY_CHOICE,
+    TEXT("from", FEED, id, "the id of a scene", ID_BYTES, true,
+         "The scene that it comes from: what has just been made in it on this sheet, else what it grows by itself."),
+    FIELD_KEY(offsetof(FEED, of)),
+    CHOICE("as", FEED, as, graph_port_names, PORT_GUIDE, true,
+           "What it becomes: of a painting guide (a vector), mask, coefficient, ink, relief or background, of trees "
+           "picture, of lightning outline, of chemistry style, seeds or orientation (a vector)."),
+    CHOICE("reading", FEED, reading, graph_reading_names, GRAPH_AS_IT_IS, false, "How a scalar becomes a vector."),
+    {.name = "coefficient",
+     .type = KEY_COEFFICIENT,
      .unit = "",
-     .initial = FIELD_DARK,
-     .choices = scene_field_names,
-     OF(of),
-     .meaning = "What is taken: dark where it has grown (a scalar), along which way it grew (a vector), around what it "
-                "makes of its surroundings (a scalar)."},
-    {.name = "as",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .initial = PORT_GUIDE,
-     .choices = graph_port_names,
-     OF(as),
-     .required = true,
-     .meaning = "What it becomes: of a painting guide (a vector), mask, coefficient, ink, relief or background, of "
-                "trees picture, of lightning outline, of chemistry style, seeds or orientation (a vector)."},
-    {.name = "reading",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .initial = GRAPH_AS_IT_IS,
-     .choices = graph_reading_names,
-     OF(reading),
-     .meaning = "How a scalar becomes a vector."},
-    {.name = "coefficient", .type = KEY_COEFFICIENT, .unit = "", OF(coefficient), .meaning = "Which one varies by it."},
-    {.name = "value",
-     .type = KEY_NUMBER,
-     .unit = "as the coefficient",
-     .min = -1000000,
-     .max = 1000000,
-     OF(value),
-     .meaning = "The coefficient where the other scene has grown."},
-    {.name = "to",
-     .type = KEY_NUMBER,
-     .unit = "as the coefficient",
-     .min = -1000000,
-     .max = 1000000,
-     OF(to),
-     .meaning = "The coefficient where it has not."},
+     .offset = offsetof(FEED, coefficient),
+     .meaning = "Which one varies by it."},
+    NUMBER("value", FEED, value, "as the coefficient", -1000000, 1000000, 0, false,
+           "The coefficient where the other scene has grown."),
+    NUMBER("to", FEED, to, "as the coefficient", -1000000, 1000000, 0, false, "The coefficient where it has not."),
     {.name = "ink",
      .type = KEY_INK,
      .unit = "",
      .initial = -1,
-     OF(ink),
+     .offset = offsetof(FEED, ink),
      .meaning = "The ink of a drawing or a background; the first of a drawing, the last of a background if left out."},
-    {.name = "strength",
-     .type = KEY_NUMBER,
-     .unit = "share",
-     .min = 0,
-     .max = 1,
-     .initial = 0.7,
-     OF(strength),
-     .meaning =
-         "Length of a field, darkness of a drawing, how much sparser growth is elsewhere, contrast of a picture; "
-         "nothing of a mask."},
-    {.name = "tick",
-     .type = KEY_INTEGER,
-     .unit = "ticks",
-     .min = 1,
-     .max = TICKS,
-     .initial = TICKS_INITIAL,
-     OF(tick),
-     .meaning = "How long the other scene grows by itself, where nobody has just made it on this sheet."},
-    {.name = "invert",
-     .type = KEY_FLAG,
-     .unit = "",
-     OF(invert),
-     .meaning = "Whether dark and light change places; of a vector, forward and back."},
-    {.name = NULL},
+    NUMBER("strength", FEED, strength, "share", 0, 1, 0.7, false,
+           "Length of a field, darkness of a drawing, how much sparser growth is elsewhere, contrast of a picture; "
+           "nothing of a mask."),
+    WHOLE("tick", FEED, tick, "ticks", 1, TICKS, TICKS_INITIAL, false,
+          "How long the other scene grows by itself, where nobody has just made it on this sheet."),
+    FLAG("invert", FEED, invert, 0, "Whether dark and light change places; of a vector, forward and back."),
+    END,
 };
 
 /* `value` and `to` in the range of what they set. */

@@ -6,26 +6,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static uint64_t mix(uint64_t mark, const void *data, size_t size)
-{
-    const unsigned char *bytes = data;
-    for (size_t i = 0; i < size; i++) {
-        mark = (mark ^ bytes[i]) * UINT64_C(0x100000001b3);
-    }
-    return mark;
-}
+#include "hash.h"
 
 /* Of a file: its time and its size; of one that is not there, that. */
 static uint64_t mark_file(uint64_t mark, int folder, const char *name)
 {
     struct stat status;
-    mark = mix(mark, name, strlen(name) + 1);
+    mark = hash_bytes(mark, name, strlen(name) + 1);
     if (fstatat(folder, name, &status, 0) != 0) {
-        return mix(mark, "-", 1);
+        return hash_bytes(mark, "-", 1);
     }
-    mark = mix(mark, &status.st_mtim.tv_sec, sizeof status.st_mtim.tv_sec);
-    mark = mix(mark, &status.st_mtim.tv_nsec, sizeof status.st_mtim.tv_nsec);
-    return mix(mark, &status.st_size, sizeof status.st_size);
+    mark = hash_bytes(mark, &status.st_mtim.tv_sec, sizeof status.st_mtim.tv_sec);
+    mark = hash_bytes(mark, &status.st_mtim.tv_nsec, sizeof status.st_mtim.tv_nsec);
+    return hash_bytes(mark, &status.st_size, sizeof status.st_size);
 }
 
 /* Of all the files of a folder, in whatever order. */
@@ -42,12 +35,12 @@ static uint64_t mark_folder(uint64_t mark, int at, const char *path)
     } else if (fd >= 0) {
         close(fd);
     }
-    return mix(mark, &sum, sizeof sum);
+    return hash_bytes(mark, &sum, sizeof sum);
 }
 
 uint64_t exhibit_mark(const char *path, const struct exhibit *exhibit)
 {
-    uint64_t mark = mark_file(UINT64_C(0xcbf29ce484222325), AT_FDCWD, path);
+    uint64_t mark = mark_file(HASH_START, AT_FDCWD, path);
     int folder = open(exhibit->folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0) {
         return mark;
@@ -66,7 +59,7 @@ uint64_t exhibit_mark(const char *path, const struct exhibit *exhibit)
     }
     for (int i = 0; i < exhibit->file_count; i++) {
         int within = open(exhibit->files[i].folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        mark = within >= 0 ? mark_file(mark, within, exhibit->files[i].path) : mix(mark, "-", 1);
+        mark = within >= 0 ? mark_file(mark, within, exhibit->files[i].path) : hash_bytes(mark, "-", 1);
         if (within >= 0) {
             close(within);
         }

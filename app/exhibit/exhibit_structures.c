@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "exhibit_read.h"
+#include "file_rows.h"
 #include "script_structure.h"
 
 enum use { USE_GUIDE, USE_MASK, USE_INK, USE_RELIEF };
@@ -14,24 +15,13 @@ struct scene_structure {
 static const char *const USES[] = {"guide", "mask", "ink", "relief", NULL};
 
 const struct key scene_structure_keys[] = {
-    {.name = "as",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .initial = USE_GUIDE,
-     .choices = USES,
-     .offset = offsetof(struct scene_structure, as),
-     .meaning = "What it is to the painting: a field that growth follows, the only place where it grows, a dry drawing "
-                "in the first ink, or the place where it is lush."},
-    {.name = "strength",
-     .type = KEY_NUMBER,
-     .unit = "share",
-     .min = 0,
-     .max = 1,
-     .initial = 0.7,
-     .offset = offsetof(struct scene_structure, strength),
-     .meaning = "Length of the field, darkness of the drawing, how much sparser growth is elsewhere; nothing of a "
-                "mask."},
-    {.name = NULL},
+    CHOICE(
+        "as", struct scene_structure, as, USES, USE_GUIDE, false,
+        "What it is to the painting: a field that growth follows, the only place where it grows, a dry drawing in the "
+        "first ink, or the place where it is lush."),
+    NUMBER("strength", struct scene_structure, strength, "share", 0, 1, 0.7, false,
+           "Length of the field, darkness of the drawing, how much sparser growth is elsewhere; nothing of a mask."),
+    END,
 };
 
 static enum action_verb verb_of(int as)

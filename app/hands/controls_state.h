@@ -1,6 +1,6 @@
 /* The inside of the controls: controls.c hears events, controls_visitor.c knows whose they are, controls_press.c what
  * is held down, controls_hold.c whose hands lie on the sheet, controls_value.c where axes and cursors stand,
- * controls_fire.c makes actions and wishes. Private to them. */
+ * controls_fire.c makes actions and wishes, controls_tap.c those of taps. Private to them. */
 #ifndef FROND_CONTROLS_STATE_H
 #define FROND_CONTROLS_STATE_H
 
@@ -146,7 +146,11 @@ void controls_change_ink(struct controls *controls, const struct cause *cause);
 
 struct cause controls_cause(const struct controls *controls, int finger, int owner, uint64_t time_us);
 
-/* controls_fire.c: the action of the binding `index` happens. */
+/* controls_fire.c: room for an action, with its time; NULL: there is none. */
+struct queued *controls_push(struct controls *controls, uint64_t time_us);
+/* What dials have set of drops, into one. */
+void controls_dial(const struct controls *controls, struct action *action);
+/* The action of the binding `index` happens. */
 void controls_fire(struct controls *controls, int index, const struct cause *cause);
 /* An option's value at this time. False: there is no room for it. */
 bool controls_push_option(struct controls *controls, int option, float value, uint64_t time_us);

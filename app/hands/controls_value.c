@@ -221,18 +221,12 @@ void controls_run_cursors(struct controls *controls, uint64_t now_us)
     }
 }
 
-static const struct key *drop_key(int parameter)
-{
-    static const char *const NAMES[PARAMETERS] = {"radius", "solvent", "amount"};
-    return key_find(action_keys(ACTION_DROP), NAMES[parameter]);
-}
-
 bool controls_dialled(struct controls *controls, const struct key **key, float *value)
 {
     for (int i = 0; i < PARAMETERS; i++) {
         if (controls->dialled[i]) {
             controls->dialled[i] = false;
-            *key = drop_key(i);
+            *key = inputs_drop_key(i);
             *value = controls->drop[i];
             return true;
         }
@@ -244,7 +238,7 @@ bool controls_dialled(struct controls *controls, const struct key **key, float *
 static float initial_value(const struct controls_def *def, const struct binding *binding)
 {
     if (binding->what == DO_DIAL) {
-        return (float)drop_key(binding->parameter)->initial;
+        return (float)inputs_drop_key(binding->parameter)->initial;
     }
     const struct key *key = &coefficient_keys[binding->coefficient];
     const char *at = (const char *)&def->coefficients + key->offset;

@@ -4,6 +4,7 @@
 
 #include "controls_state.h"
 #include "device_class.h"
+#include "hash.h"
 
 void controls_start_seats(struct controls *controls)
 {
@@ -171,17 +172,13 @@ static struct known *known_of(struct controls *controls, enum event_source sourc
     return NULL;
 }
 
-/* FNV-1a of all that tells a device from others and is the same when it comes back. */
+/* Of all that tells a device from others and is the same when it comes back. */
 static uint64_t identity_of(enum event_source source, const struct device *device)
 {
     char text[2 * SOURCE_NAME + 64];
-    uint64_t hash = UINT64_C(14695981039346656037);
     int length = snprintf(text, sizeof text, "%d %04x:%04x %s@%s", (int)source, device->vendor, device->product,
                           device->name, device->port);
-    for (int i = 0; i < length; i++) {
-        hash = (hash ^ (unsigned char)text[i]) * UINT64_C(1099511628211);
-    }
-    return hash;
+    return hash_bytes(HASH_START, text, (size_t)length);
 }
 
 /* Which of the listed devices of a class it is, a bit each. */

@@ -188,6 +188,8 @@ const char *inputs_default_text(void);
 struct inputs *inputs_default(const struct script *session);
 /* Whether a text means to be an inputs file: its top has the key `inputs`. */
 bool inputs_is(const char *text, size_t size);
+/* The parameter of drops, enum binding_parameter, as a key of action_keys(ACTION_DROP). */
+const struct key *inputs_drop_key(int parameter);
 /* Whether this is the device that is meant. */
 bool inputs_match(const struct inputs_device *wanted, uint16_t vendor, uint16_t product, const char *name);
 

@@ -226,12 +226,6 @@ static void read_when(struct reader *reader, const struct yaml_node *item, struc
     }
 }
 
-static const struct key *drop_key(int parameter)
-{
-    static const char *const NAMES[PARAMETERS] = {"radius", "solvent", "amount"};
-    return key_find(action_keys(ACTION_DROP), NAMES[parameter]);
-}
-
 static int problems(const struct reader *reader)
 {
     return reader->report->count + reader->report->dropped;
@@ -244,7 +238,7 @@ static void read_dial(struct reader *reader, const struct yaml_node *node, struc
     key_defaults(dial_keys, binding);
     mapping_read(reader, dial_keys, node, binding, NULL);
     if (problems(reader) == before) {
-        inputs_check_ends(reader, node, drop_key(binding->parameter));
+        inputs_check_ends(reader, node, inputs_drop_key(binding->parameter));
     }
 }
 
@@ -296,7 +290,7 @@ static void read_what(struct reader *reader, const struct parts *parts, struct b
 
 static bool takes(enum action_verb verb, int parameter)
 {
-    return key_find(action_keys(verb), drop_key(parameter)->name) != NULL;
+    return key_find(action_keys(verb), inputs_drop_key(parameter)->name) != NULL;
 }
 
 static void read_length(struct reader *reader, const struct yaml_node *node, struct binding *binding)
@@ -320,10 +314,11 @@ static void read_length(struct reader *reader, const struct yaml_node *node, str
         reader_problem(reader, node, "the length of a press is known when it is over; when: release, short or long");
     } else if (binding->what != DO_VERB || !takes(binding->action.verb, binding->length.parameter)) {
         reader_problem(reader, node, "the action has no %s; a verb that has one",
-                       drop_key(binding->length.parameter)->name);
+                       inputs_drop_key(binding->length.parameter)->name);
     } else {
-        inputs_check_ends(reader, node,
-                          key_find(action_keys(binding->action.verb), drop_key(binding->length.parameter)->name));
+        inputs_check_ends(
+            reader, node,
+            key_find(action_keys(binding->action.verb), inputs_drop_key(binding->length.parameter)->name));
     }
     reader_leave(reader, length);
 }

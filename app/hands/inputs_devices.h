@@ -2,8 +2,8 @@
 #ifndef FROND_INPUTS_DEVICES_H
 #define FROND_INPUTS_DEVICES_H
 
-#include "inputs_read.h"
 #include "file_rows.h"
+#include "inputs_read.h"
 
 /* Over struct inputs_device. */
 #define INPUTS_DEVICE_ROWS                                                                                             \

@@ -116,6 +116,11 @@ const struct key length_keys[] = {
     END,
 };
 
+const struct key *inputs_drop_key(int parameter)
+{
+    return key_find(action_keys(ACTION_DROP), PARAMETERS_OF_DROPS[parameter]);
+}
+
 static int add_rows(struct key *rows, int count, const struct key *more)
 {
     for (; more->name && count + 1 < INPUTS_ROWS; more++) {

@@ -16,7 +16,7 @@ struct replay_def {
     const char *video;      /* .mp4 or .webm, by ffmpeg */
     const char *stats;      /* JSON (stats.h) of the end, with the hash of its state */
     const char *svg;        /* plan of the branches of the end (plan.h) */
-    double paper_mm;        /* width of its sheet; 0: PLAN_PAPER_MM */
+    int paper_mm;           /* width of its sheet; 0: PLAN_PAPER_MM */
     int every;              /* ticks from one picture on the way to the next */
     int scale;              /* pixels a cell of the first sheet, of the picture of the end alone; 0: as below */
     int width, height;      /* pixels of all pictures else; 0: a pixel a cell */

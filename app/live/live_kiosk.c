@@ -312,10 +312,14 @@ static void take_up(struct live_kiosk *kiosk, struct exhibit *exhibit)
         live_graph_set(kiosk->graph, exhibit);
     }
     kiosk->before = kiosk_exhibit(kiosk->kiosk, exhibit, now_us(kiosk));
-    open_gallery(kiosk, kiosk_shows(kiosk->kiosk), kiosk->before);
-    if (kiosk->graph && kiosk_shows(kiosk->kiosk) != exhibit) { /* memory was short: it stays as it was */
-        live_graph_set(kiosk->graph, kiosk_shows(kiosk->kiosk));
+    if (kiosk_shows(kiosk->kiosk) != exhibit) {
+        if (kiosk->graph) {
+            live_graph_set(kiosk->graph, kiosk_shows(kiosk->kiosk));
+        }
+        refuse(kiosk, "the exhibit stays as it was", "memory is short for another one");
+        return;
     }
+    open_gallery(kiosk, exhibit, kiosk->before);
     if (kiosk->pictures) {
         live_pictures_set(kiosk->pictures, kiosk_shows(kiosk->kiosk), kiosk_scene(kiosk->kiosk));
     }

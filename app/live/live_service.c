@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 
-static const char *const DISPLAYS[] = {"shown", "dark", "absent", "lent"};                    /* enum display_state */
+static const char *const DISPLAYS[] = {"shown", "dark", "absent", "lent"}; /* enum display_state */
 bool live_service_open(struct live_service *service, uint64_t now_us)
 {
     const char *folder = getenv("RUNTIME_DIRECTORY");
@@ -75,7 +75,10 @@ static void feed(struct live_service *service, const struct live_kiosk *kiosk, u
 {
     char text[120];
     struct display *display = kiosk->status.display;
+    struct studio_report report = studio_report(kiosk->status.studio);
     struct service_turn turn = {.frames = display_frames(display).presented,
+                                .turns = report.turns,
+                                .rests = report.rests,
                                 .shown = display_state(display) == DISPLAY_SHOWN};
     if (kiosk->kiosk) {
         snprintf(text, sizeof text, "%s; screen %s; visit %u%s", kiosk_state(kiosk->kiosk),

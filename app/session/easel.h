@@ -15,6 +15,8 @@
 
 struct display;
 
+enum { EASEL_THREADS_MOST = 64 };
+
 struct easel_def {
     enum engine_kind engine; /* auto: the faster of the two on this machine */
     const char *shaders;     /* folder of shader sources; NULL: the embedded ones */

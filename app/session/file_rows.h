@@ -1,5 +1,5 @@
-/* Rows of tables of keys (key.h) as files have them, exhibits and inputs: over several structs, some keys required; what a
- * model sets has rows in one order alone (sim/base/key_rows.h). Private to files that define such tables. */
+/* Rows of tables of keys (key.h) as files have them, exhibits and inputs: over several structs, some keys required;
+ * what a model sets has rows in one order alone (sim/base/key_rows.h). Private to files that define such tables. */
 #ifndef FROND_FILE_ROWS_H
 #define FROND_FILE_ROWS_H
 

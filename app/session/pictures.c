@@ -7,7 +7,6 @@
 
 #include "beneath.h"
 #include "fit.h"
-#include "image.h"
 
 /* Channels as a script counts them, whatever their order in the file: EXR sorts them by name. */
 static bool arrange(const struct image *image, struct script_picture *picture)
@@ -60,4 +59,18 @@ bool pictures_load(void *data, const char *folder, const char *path, struct scri
     image_finish(&image);
     close(fd);
     return good;
+}
+
+struct image pictures_image(const struct script_picture *picture)
+{
+    static const char *const NAMES[4][4] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
+    struct image image = {.width = picture->width,
+                          .height = picture->height,
+                          .channels = picture->channels,
+                          .alpha = picture->channels % 2 == 0 ? picture->channels - 1 : -1,
+                          .values = picture->values};
+    for (int c = 0; c < picture->channels; c++) {
+        snprintf(image.names[c], sizeof image.names[c], "%s", NAMES[picture->channels - 1][c]);
+    }
+    return image;
 }

@@ -18,7 +18,7 @@ struct render_def {
     const char *stats;   /* JSON (stats.h) */
     const char *journal; /* the session as a journal (journal.h), for `frond replay` */
     const char *svg;     /* plan of the branches (plan.h) */
-    double paper_mm;     /* width of the plan's sheet; 0: PLAN_PAPER_MM */
+    int paper_mm;        /* width of the plan's sheet; 0: PLAN_PAPER_MM */
     int every;           /* ticks from one frame to the next, 1 or more */
     int width, height;   /* pixels of the pictures; 0: a pixel a cell */
     enum engine_kind engine; /* auto: the faster of the two on this machine */

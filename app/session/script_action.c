@@ -11,15 +11,14 @@
 #include "script_text.h"
 #include "verb.h"
 
+/* Where the values of a raster come from. */
+enum { FORMULA, PICTURE, STRUCTURE, TEXT, SESSION, RASTERS };
+
 /* What one verb's parameters need to know of each other. */
 struct parameters {
-    const struct key *setting;       /* what `set`, `shape`, ... sets; NULL for other verbs, or where it is wrong */
-    const struct yaml_node *formula; /* read last: what they become depends on the other parameters */
-    const struct yaml_node *picture;
-    const struct yaml_node *structure; /* in place of the picture, */
-    const struct yaml_node *text;      /* or words, */
-    const struct yaml_node *session;   /* or what another session comes to */
-    bool bound;                        /* place and ink may come later */
+    const struct key *setting; /* what `set`, `shape`, ... sets; NULL for other verbs, or where it is wrong */
+    const struct yaml_node *raster[RASTERS]; /* read last: what they become depends on the other parameters */
+    bool bound;                              /* place and ink may come later */
 };
 
 bool script_take_values(struct reader *reader, const struct yaml_node *node, size_t count)
@@ -204,20 +203,31 @@ static bool read_setting(struct reader *reader, const struct key *key, const str
     return good;
 }
 
+static bool read_structure(struct reader *reader, const struct yaml_node *node, struct action *action)
+{
+    return script_structure_read(reader, node, action, NULL, NULL);
+}
+
+static const struct {
+    const char *name;
+    bool (*read)(struct reader *reader, const struct yaml_node *node, struct action *action);
+} SOURCES[RASTERS] = {[FORMULA] = {"formula", read_formula},
+                      [PICTURE] = {"picture", script_action_picture},
+                      [STRUCTURE] = {"structure", read_structure},
+                      [TEXT] = {"text", script_text_read},
+                      [SESSION] = {"session", script_session_read}};
+
 static bool read_parameter(struct reader *reader, const struct key *key, const struct yaml_node *node, void *object,
                            void *context)
 {
     struct action *action = object;
     struct parameters *parameters = context;
-    if (key->type == KEY_RASTER) {
-        parameters->formula = node;
-        return true;
-    }
-    if (key->type == KEY_PICTURE) {
-        *(strcmp(key->name, "structure") == 0 ? &parameters->structure
-          : strcmp(key->name, "text") == 0    ? &parameters->text
-          : strcmp(key->name, "session") == 0 ? &parameters->session
-                                              : &parameters->picture) = node;
+    if (key->type == KEY_RASTER || key->type == KEY_PICTURE) {
+        for (int i = 0; i < RASTERS; i++) {
+            if (strcmp(key->name, SOURCES[i].name) == 0) {
+                parameters->raster[i] = node;
+            }
+        }
         return true;
     }
     if (parameters->setting && (strcmp(key->name, "value") == 0 || strcmp(key->name, "to") == 0)) {
@@ -241,19 +251,11 @@ static void missing(struct reader *reader, const struct yaml_node *node, const c
 /* At most one of them; whether there is any. */
 static bool check_rasters(struct reader *reader, const struct yaml_node *node, const struct parameters *parameters)
 {
-    const char *found[5];
+    const char *found[RASTERS];
     int count = 0;
-    const struct {
-        const char *name;
-        const struct yaml_node *node;
-    } rasters[] = {{"formula", parameters->formula},
-                   {"picture", parameters->picture},
-                   {"structure", parameters->structure},
-                   {"text", parameters->text},
-                   {"session", parameters->session}};
-    for (int i = 0; i < 5; i++) {
-        if (rasters[i].node) {
-            found[count++] = rasters[i].name;
+    for (int i = 0; i < RASTERS; i++) {
+        if (parameters->raster[i]) {
+            found[count++] = SOURCES[i].name;
         }
     }
     if (count > 1) {
@@ -315,18 +317,13 @@ static int parameter_keys(enum action_verb verb, struct key keys[PARAMETERS_MAX 
     int count = key_count(action_keys(verb));
     memcpy(keys, action_keys(verb), (size_t)count * sizeof *keys);
     const struct key *picture = key_find(action_keys(verb), "picture");
-    if (picture && verb != ACTION_STOCK) {
-        keys[count] = *picture;
-        keys[count++].name = "structure";
-    }
-    if (picture && script_text_is_for(verb)) {
-        keys[count] = *picture;
-        keys[count++].name = "text";
-    }
-    if (picture) {
-        keys[count] = *picture;
-        keys[count].required = false;
-        keys[count++].name = "session";
+    const bool taken[RASTERS] = {
+        [STRUCTURE] = verb != ACTION_STOCK, [TEXT] = script_text_is_for(verb), [SESSION] = true};
+    for (int i = STRUCTURE; picture && i < RASTERS; i++) {
+        if (taken[i]) {
+            keys[count] = *picture;
+            keys[count++].name = SOURCES[i].name;
+        }
     }
     return count;
 }
@@ -364,30 +361,12 @@ static void read_parameters(struct reader *reader, const struct yaml_node *node,
     struct value_reading reading = {read_parameter, &parameters};
     mapping_read(reader, keys, node, action, &reading);
     check_together(reader, node, action->verb, &parameters);
-    if (parameters.formula) {
-        size_t length = reader_enter(reader, "formula");
-        read_formula(reader, parameters.formula, action);
-        reader_leave(reader, length);
-    }
-    if (parameters.picture) {
-        size_t length = reader_enter(reader, "picture");
-        script_action_picture(reader, parameters.picture, action);
-        reader_leave(reader, length);
-    }
-    if (parameters.structure) {
-        size_t length = reader_enter(reader, "structure");
-        script_structure_read(reader, parameters.structure, action, NULL, NULL);
-        reader_leave(reader, length);
-    }
-    if (parameters.text) {
-        size_t length = reader_enter(reader, "text");
-        script_text_read(reader, parameters.text, action);
-        reader_leave(reader, length);
-    }
-    if (parameters.session) {
-        size_t length = reader_enter(reader, "session");
-        script_session_read(reader, parameters.session, action);
-        reader_leave(reader, length);
+    for (int i = 0; i < RASTERS; i++) {
+        if (parameters.raster[i]) {
+            size_t length = reader_enter(reader, SOURCES[i].name);
+            SOURCES[i].read(reader, parameters.raster[i], action);
+            reader_leave(reader, length);
+        }
     }
 }
 

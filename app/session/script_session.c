@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "file_rows.h"
 #include "outcome.h"
 #include "raster.h"
 #include "rounded.h"
@@ -28,44 +29,16 @@ struct script_grown {
     float *fields[SCENE_FIELDS]; /* the script's memory */
 };
 
-#define OF(field) .offset = offsetof(struct script_session, field)
-
+#define SESSION struct script_session
 const struct key script_session_keys[] = {
-    {.name = "file",
-     .type = KEY_TEXT,
-     .unit = "the path of a session script in this file's folder",
-     .min = 1,
-     .max = PATH_BYTES,
-     OF(file),
-     .required = true,
-     .meaning = "The session that is grown."},
-    {.name = "of",
-     .type = KEY_CHOICE,
-     .unit = "",
-     .initial = FIELD_DARK,
-     .choices = scene_field_names,
-     OF(of),
-     .meaning = "What is taken: dark where it has grown, along which way it grew (a guide alone takes that), around "
-                "what it makes of its surroundings."},
-    {.name = "strength",
-     .type = KEY_NUMBER,
-     .unit = "share",
-     .max = 1,
-     .initial = 1,
-     OF(strength),
-     .meaning = "How dark what is dark is, or how long the vectors are."},
-    {.name = "tick",
-     .type = KEY_INTEGER,
-     .unit = "ticks",
-     .max = TICKS,
-     OF(tick),
-     .meaning = "How long it grows; 0: as long as it says itself."},
-    {.name = "invert",
-     .type = KEY_FLAG,
-     .unit = "",
-     OF(invert),
-     .meaning = "Whether dark and light change places; of vectors, forward and back."},
-    {.name = NULL},
+    TEXT("file", SESSION, file, "the path of a session script in this file's folder", PATH_BYTES, true,
+         "The session that is grown."),
+    FIELD_KEY(offsetof(SESSION, of)),
+    NUMBER("strength", SESSION, strength, "share", 0, 1, 1, false,
+           "How dark what is dark is, or how long the vectors are."),
+    WHOLE("tick", SESSION, tick, "ticks", 0, TICKS, 0, false, "How long it grows; 0: as long as it says itself."),
+    FLAG("invert", SESSION, invert, 0, "Whether dark and light change places; of vectors, forward and back."),
+    END,
 };
 
 static struct script_grown *find(struct reader *reader, const struct script_session *session)

@@ -3,7 +3,16 @@
 #ifndef FROND_SCRIPT_SESSION_H
 #define FROND_SCRIPT_SESSION_H
 
+#include "scene.h"
 #include "script_value.h"
+
+/* The row of a table that says which field of what has grown is taken: an enum scene_field at `place`. */
+#define FIELD_KEY(place)                                                                                               \
+    {                                                                                                                  \
+        "of", KEY_CHOICE, "", 0, 0, FIELD_DARK, scene_field_names, place, false,                                       \
+            "What is taken: dark where it has grown (a scalar), along which way it grew (a vector), around what it "   \
+            "makes of its surroundings (a scalar)."                                                                    \
+    }
 
 extern const struct key script_session_keys[]; /* ends with a key whose name is NULL */
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pictures.h"
 #include "script_action.h"
 
 static int add_keys(struct key *keys, int count, const struct key *more, size_t offset)
@@ -106,8 +107,9 @@ static bool grow(struct reader *reader, const struct yaml_node *node, const stru
     float *values =
         good && script_take_values(reader, node, count) ? reader_take(reader, count * sizeof *values) : NULL;
     if (values) {
+        const struct image image = pictures_image(&picture);
         action->picture = (struct action_raster){values, width, height, channels};
-        good = structure_raster(&picture, &structure->growth, &structure->structure, kind, width, height, values);
+        good = structure_raster(&image, &structure->growth, &structure->structure, kind, width, height, values);
         if (!good) {
             reader_problem(reader, node, "memory is short");
         }

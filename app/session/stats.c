@@ -8,14 +8,12 @@
 
 #include <json.h>
 
+#include "json_number.h"
 #include "shape.h"
 
-/* json-c prints 17 digits of a double, most of them noise. JSON knows no infinity: null stands for it. */
 static void add_number(struct json_object *object, const char *name, double value)
 {
-    char text[32];
-    snprintf(text, sizeof text, "%.12g", value);
-    json_object_object_add(object, name, isfinite(value) ? json_object_new_double_s(value, text) : NULL);
+    json_object_object_add(object, name, json_number(value, 12));
 }
 
 static void add_whole(struct json_object *object, const char *name, int64_t value)
@@ -27,9 +25,7 @@ static struct json_object *inks_array(const double *values)
 {
     struct json_object *array = json_object_new_array_ext(PAINTING_INKS);
     for (int i = 0; i < PAINTING_INKS; i++) {
-        char text[32];
-        snprintf(text, sizeof text, "%.12g", values[i]);
-        json_object_array_add(array, isfinite(values[i]) ? json_object_new_double_s(values[i], text) : NULL);
+        json_object_array_add(array, json_number(values[i], 12));
     }
     return array;
 }

@@ -6,6 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "hash.h"
+
 enum { BYTES = 2 * LOG_TEXT };
 
 void log_init(struct log *log, int fd)
@@ -20,13 +22,9 @@ void log_init(struct log *log, int fd)
     }
 }
 
-static uint64_t hash_of(const char *text) /* FNV-1a */
+static uint64_t hash_of(const char *text)
 {
-    uint64_t hash = UINT64_C(14695981039346656037);
-    for (; *text; text++) {
-        hash = (hash ^ (unsigned char)*text) * UINT64_C(1099511628211);
-    }
-    return hash;
+    return hash_bytes(HASH_START, text, strlen(text));
 }
 
 static struct log_known *find(struct log *log, uint64_t hash, uint64_t now_us)

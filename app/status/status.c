@@ -6,6 +6,8 @@
 
 #include <json.h>
 
+#include "json_number.h"
+
 /* A frame of 60 Hz, two, three of them; 20 and 10 a second; and what one sees as a stop. */
 const double status_bucket_s[STATUS_BUCKETS] = {0.0175, 0.034, 0.051, 0.1, 0.2, 0.5, 1, 5};
 
@@ -68,12 +70,9 @@ static void add_text(struct json_object *object, const char *name, const char *t
     json_object_object_add(object, name, text[0] ? json_object_new_string(text) : NULL);
 }
 
-/* json-c prints 17 digits of a double, most of them noise. What is not known is null. */
 static void add_number(struct json_object *object, const char *name, double value)
 {
-    char text[32];
-    snprintf(text, sizeof text, "%.6g", value);
-    json_object_object_add(object, name, isfinite(value) ? json_object_new_double_s(value, text) : NULL);
+    json_object_object_add(object, name, json_number(value, 6));
 }
 
 static void add_whole(struct json_object *object, const char *name, uint64_t value)

@@ -10,6 +10,7 @@
 
 #include "bench.h"
 #include "file.h"
+#include "gpu_limits.h"
 #include "painting_gpu.h"
 #include "state.h"
 
@@ -187,12 +188,6 @@ static void explain(struct engine_choice *choice, const char *trouble)
     }
 }
 
-/* GL on the processor: it has nothing that the engine of the CPU has not, and would only be slow to say so. */
-static bool is_software(const char *renderer)
-{
-    return strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe") || strstr(renderer, "SwiftShader");
-}
-
 struct engine_choice engine_choose(enum engine_kind wanted, const struct painting_def *def, const char *renderer,
                                    const struct shader_folder *folder, const char *path)
 {
@@ -207,7 +202,8 @@ struct engine_choice engine_choose(enum engine_kind wanted, const struct paintin
         explain(&choice, "no GLES 3.1");
         return choice;
     }
-    if (is_software(renderer)) {
+    /* GL on the processor: it has nothing that the engine of the CPU has not, and would only be slow to say so. */
+    if (gpu_limits_is_processor(renderer)) {
         choice.kind = ENGINE_CPU;
         snprintf(choice.why, sizeof choice.why, "engine cpu: %.100s draws with the processor, too", renderer);
         return choice;

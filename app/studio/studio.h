@@ -92,6 +92,8 @@ struct studio_report {
     int sessions;            /* begun */
     uint64_t can_undo;       /* bit v: visitor v has something to undo; bit 0: anybody but the script */
     uint64_t can_redo;
+    uint64_t turns;    /* of the thread, ticks or not: it does not hang while they go up, or while it rests */
+    bool rests;        /* it waits until somebody looks (studio_rest) */
     bool idle;         /* no tick is wanted: the session is over, or nobody looks */
     bool ended;        /* `once`, and the last tick is done */
     float scale;       /* of the grid now */

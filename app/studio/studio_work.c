@@ -165,6 +165,7 @@ static void measure(struct studio *studio, double began, bool ticked)
         studio->second_ticks++;
     }
     pthread_mutex_lock(&studio->lock);
+    studio->report.turns++;
     studio->report.ticks = session_tick(studio);
     studio->report.idle = studio->rest || studio->report.ticks >= studio->script->ticks;
     studio->report.ended = studio->def.once && studio->report.ticks >= studio->script->ticks;
@@ -233,8 +234,10 @@ static bool wait_turn(struct studio *studio, double *next_s, float *scale)
     struct timespec until = {(time_t)*next_s, (long)((*next_s - floor(*next_s)) * 1e9)};
     pthread_mutex_lock(&studio->lock);
     while (!studio->stop && studio->rest) {
+        studio->report.rests = true;
         pthread_cond_wait(&studio->changed, &studio->lock);
     }
+    studio->report.rests = false;
     while (!studio->stop && bench_wall_s() < *next_s &&
            pthread_cond_timedwait(&studio->changed, &studio->lock, &until) == 0) {
     }

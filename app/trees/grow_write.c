@@ -7,6 +7,7 @@
 #include "grow.h"
 #include "growth_paint.h"
 #include "image.h"
+#include "json_number.h"
 
 bool grow_write_png(const struct grown *grown, const char *path, struct file_error *error)
 {
@@ -65,9 +66,7 @@ bool grow_write_exr(const struct grown *grown, const char *path, struct file_err
 
 static void add_number(struct json_object *object, const char *name, double value)
 {
-    char text[32];
-    snprintf(text, sizeof text, "%.9g", value);
-    json_object_object_add(object, name, json_object_new_double_s(value, text));
+    json_object_object_add(object, name, json_number(value, 9));
 }
 
 static bool add_layer(struct json_object *array, const struct growth *growth, int layer)

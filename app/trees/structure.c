@@ -2,7 +2,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,7 +24,7 @@ struct frame {
     int left, top, width, height;
 };
 
-static struct frame frame_of(const struct script_picture *picture, int width, int height)
+static struct frame frame_of(const struct image *picture, int width, int height)
 {
     double across = (double)width / picture->width, down = (double)height / picture->height;
     double scale = across < down ? across : down;
@@ -35,21 +34,6 @@ static struct frame frame_of(const struct script_picture *picture, int width, in
     frame.left = (width - frame.width) / 2;
     frame.top = (height - frame.height) / 2;
     return frame;
-}
-
-/* A script's picture has its channels in order: grey, grey and alpha, RGB, RGBA. */
-static struct image image_of(const struct script_picture *picture)
-{
-    static const char *const NAMES[4][4] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
-    struct image image = {.width = picture->width,
-                          .height = picture->height,
-                          .channels = picture->channels,
-                          .alpha = picture->channels % 2 == 0 ? picture->channels - 1 : -1,
-                          .values = picture->values};
-    for (int c = 0; c < picture->channels; c++) {
-        snprintf(image.names[c], sizeof image.names[c], "%s", NAMES[picture->channels - 1][c]);
-    }
-    return image;
 }
 
 static bool fill_dark(const struct growth *growth, const struct strokes *strokes, float scale, struct frame frame,
@@ -130,12 +114,11 @@ static bool fill_along(const struct strokes *strokes, float scale, struct frame 
     return good;
 }
 
-bool structure_raster(const struct script_picture *picture, const struct growth_def *growth_def,
-                      const struct structure_def *def, enum structure_kind kind, int width, int height, float *values)
+bool structure_raster(const struct image *picture, const struct growth_def *growth_def, const struct structure_def *def,
+                      enum structure_kind kind, int width, int height, float *values)
 {
     struct frame frame = frame_of(picture, width, height);
-    struct image image = image_of(picture);
-    struct growth *growth = grow_over(&image, def->detail, growth_def);
+    struct growth *growth = grow_over(picture, def->detail, growth_def);
     struct strokes strokes = {0};
     bool good = growth && growth_strokes(growth, &strokes);
     if (good) {

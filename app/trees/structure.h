@@ -6,12 +6,12 @@
 #include <stdbool.h>
 
 #include "growth.h"
-#include "script.h"
+#include "image.h"
 
+/* The table structure_keys says units and ranges. */
 struct structure_def {
-    int detail;  /* nodes of the lattice along the picture's longer side, 64..2048 */
-    float width; /* cells by which every branch is wider than it grew, 0..64 */
-    float fade;  /* cells around the branches in which their direction fades to nothing, 0..64 */
+    int detail;
+    float width, fade;
 };
 
 extern const struct key structure_keys[]; /* of struct structure_def, beside growth_keys; ends with a NULL name */
@@ -23,7 +23,7 @@ enum structure_kind {
 
 /* Fills width * height values, channel by channel, rounded to 1/65536. The picture lies in the middle of the sheet, as
  * large as fits with its shape kept; nothing grows beside it. False when memory is short. */
-bool structure_raster(const struct script_picture *picture, const struct growth_def *growth,
-                      const struct structure_def *def, enum structure_kind kind, int width, int height, float *values);
+bool structure_raster(const struct image *picture, const struct growth_def *growth, const struct structure_def *def,
+                      enum structure_kind kind, int width, int height, float *values);
 
 #endif

@@ -10,23 +10,35 @@ enum {
 
 static const float AXIS_MOVES = 0.1f; /* of its way: less is drift */
 
+static bool is_axis(const struct kiosk_axis *axis, const struct event *event)
+{
+    return axis->used && axis->source == event->source && axis->device == event->device;
+}
+
+/* Where an axis is at first is not what somebody did; that a button is on is. */
 static bool axis_moved(struct kiosk *kiosk, const struct event *event)
 {
     struct kiosk_axis *free_one = NULL;
     for (int i = 0; i < KIOSK_AXES; i++) {
         struct kiosk_axis *axis = &kiosk->axes[i];
-        if (axis->used && axis->device == event->device && axis->control == event->control &&
-            axis->index == event->index) {
+        if (is_axis(axis, event) && axis->control == event->control && axis->index == event->index) {
             bool moved = fabsf(event->value - axis->value) >= AXIS_MOVES;
             axis->value = moved ? event->value : axis->value;
             return moved;
         }
         free_one = !axis->used && !free_one ? axis : free_one;
     }
-    if (free_one) { /* where it is at first is not what somebody did */
-        *free_one = (struct kiosk_axis){event->device, event->control, event->index, event->value, true};
+    if (free_one) {
+        *free_one = (struct kiosk_axis){true, event->source, event->device, event->control, event->index, event->value};
     }
-    return false;
+    return !event->centred && event->value >= 1;
+}
+
+static void forget_axes(struct kiosk *kiosk, const struct event *left)
+{
+    for (int i = 0; i < KIOSK_AXES; i++) {
+        kiosk->axes[i].used = kiosk->axes[i].used && !is_axis(&kiosk->axes[i], left);
+    }
 }
 
 /* Whether an event is something that somebody did. */
@@ -200,6 +212,9 @@ bool kiosk_feel(struct kiosk *kiosk, struct event *event, uint64_t now_us)
 {
     struct hud_press press;
     bool pressed = false;
+    if (event->kind == EVENT_LEFT) {
+        forget_axes(kiosk, event);
+    }
     if (is_finger(event)) {
         staff_feel(&kiosk->staff, event);
     }

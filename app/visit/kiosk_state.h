@@ -75,10 +75,11 @@ struct kiosk {
         int id, seat;
     } hands[KIOSK_HANDS];
     struct kiosk_axis { /* where an axis was when it last counted as input: drift is no visitor */
+        bool used;
+        enum event_source source;
         uint32_t device, control;
         int index;
         float value;
-        bool used;
     } axes[KIOSK_AXES];
     char *trouble;    /* owned; NULL: none */
     char lines[4096]; /* of the staff's view */

@@ -41,7 +41,6 @@ struct display {
     int wakes[DISPLAY_WAKES], wake_count;
 };
 
-/* NULL in a build without it. */
 extern const struct display_source display_kms, display_window, display_headless;
 
 /* Sets the source; the time is the caller's. */

@@ -8,9 +8,9 @@
 #include <GLES3/gl31.h>
 
 #include "display_canvas.h"
+#include "display_pace.h"
 #include "display_source.h"
 #include "display_window_input.h"
-#include "kms_pace.h"
 
 enum {
     WINDOW_WIDTH = 1280, /* points of the desktop, where the definition leaves it open */
@@ -24,7 +24,7 @@ struct window {
     SDL_GLContext context;
     struct display_canvas canvas; /* the window's own buffers are undefined after a frame, and of its size only later */
     struct window_input input;
-    struct kms_pace pace;
+    struct display_pace pace;
     uint64_t next_us; /* before which no frame is drawn, where the desktop does not pace them */
     bool subsystem;   /* SDL's video was started */
 };
@@ -271,7 +271,7 @@ static void take_events(struct display *display)
     Uint32 flags = SDL_GetWindowFlags(window->window);
     display->state = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED) ? DISPLAY_LENT : DISPLAY_SHOWN;
     if (display->state != DISPLAY_SHOWN) {
-        kms_pace_stop(&window->pace);
+        display_pace_stop(&window->pace);
     }
 }
 
@@ -331,12 +331,12 @@ static void window_end(struct display *display)
 {
     struct window *window = display->own;
     show_canvas(display);
-    struct kms_flip flip = {.time_us = source_now_us()};
-    display->frames.missed += kms_pace_missed(&window->pace, &flip, display->frames.refresh_mhz);
+    uint64_t now_us = source_now_us();
+    display->frames.missed += display_pace_missed(&window->pace, 0, now_us, display->frames.refresh_mhz);
     display->frames.presented++;
-    display->frames.last_us = flip.time_us;
+    display->frames.last_us = now_us;
     uint64_t period_us = UINT64_C(1000000000) / (uint64_t)display->frames.refresh_mhz;
-    window->next_us = flip.time_us + period_us * 3 / 4; /* the rest is the desktop's, which may pace by itself */
+    window->next_us = now_us + period_us * 3 / 4; /* the rest is the desktop's, which may pace by itself */
 }
 
 static bool window_renew(struct display *display, struct device_error *error)

@@ -228,7 +228,7 @@ static void submit(struct kms_screen *screen, uint32_t framebuffer, uint64_t now
     bool sets = screen->stage == KMS_FITTED, flips = true;
     if (sets) {
         read_past(screen);
-        kms_pace_stop(&screen->pace);
+        display_pace_stop(&screen->pace);
     }
     screen->next = 0;
     screen->token = (uint32_t)(screen->token + 1); /* so that 32 bits bring it back whole */
@@ -269,7 +269,8 @@ static void read_flips(struct kms_screen *screen)
         screen->pending = false;
         screen->frames.presented++;
         screen->frames.last_us = flips[i].time_us;
-        screen->frames.missed += kms_pace_missed(&screen->pace, &flips[i], screen->frames.refresh_mhz);
+        screen->frames.missed +=
+            display_pace_missed(&screen->pace, flips[i].sequence, flips[i].time_us, screen->frames.refresh_mhz);
     }
 }
 

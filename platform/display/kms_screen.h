@@ -4,10 +4,10 @@
 #define FROND_KMS_SCREEN_H
 
 #include "display.h"
+#include "display_pace.h"
 #include "kms_calls.h"
 #include "kms_choice.h"
 #include "kms_output.h"
-#include "kms_pace.h"
 
 enum kms_stage {
     KMS_EMPTY,   /* nothing to show on */
@@ -45,7 +45,7 @@ struct kms_screen {
     bool pending;     /* a flip has been asked for */
     uint64_t token;   /* of that flip */
     uint64_t flip_us; /* when it was asked for */
-    struct kms_pace pace;
+    struct display_pace pace;
     struct display_frames frames;
 
     uint64_t signature; /* of the last scan */

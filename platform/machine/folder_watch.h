@@ -15,7 +15,7 @@
 #include <stdint.h>
 
 enum {
-    FOLDER_WATCH_FOLDERS = 8,
+    FOLDER_WATCH_FOLDERS = 32,
     FOLDER_WATCH_SETTLE_MS = 150,   /* of quiet after a change */
     FOLDER_WATCH_LONGEST_MS = 1000, /* from a change to its notice, where there is no quiet */
     FOLDER_WATCH_LOOK_MS = 250,     /* between looks whether each folder is still where it was */

@@ -16,6 +16,7 @@ enum {
 struct service {
     uint64_t ping_us, pinged_us; /* ping_us 0: no watchdog waits */
     uint64_t pinged_frames;      /* as they were then */
+    uint64_t pinged_turns;
     uint64_t said_us;
     char said[STATUS_BYTES];
     bool ready;
@@ -54,15 +55,18 @@ static void tell_status(struct service *service, const char *status, uint64_t no
 
 void service_turn(struct service *service, const struct service_turn *turn, uint64_t now_us)
 {
-    bool alive = !turn->shown || turn->frames > service->pinged_frames;
+    bool works = turn->rests || turn->turns != service->pinged_turns;
+    bool alive = works && (!turn->shown || turn->frames > service->pinged_frames);
     if (alive && !service->ready) {
         service->ready = true;
         service->pinged_us = now_us;
         service->pinged_frames = turn->frames;
+        service->pinged_turns = turn->turns;
         sd_notify(0, "READY=1");
     } else if (alive && service->ping_us > 0 && now_us - service->pinged_us >= service->ping_us) {
         service->pinged_us = now_us;
         service->pinged_frames = turn->frames;
+        service->pinged_turns = turn->turns;
         sd_notify(0, "WATCHDOG=1");
     }
     tell_status(service, turn->status, now_us);

@@ -1,6 +1,7 @@
 #include "gpu_limits.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include <GLES3/gl31.h>
 
@@ -103,4 +104,10 @@ bool gpu_limits_check(struct shader_error *error)
 const char *gpu_limits_renderer(void)
 {
     return (const char *)glGetString(GL_RENDERER);
+}
+
+bool gpu_limits_is_processor(const char *renderer)
+{
+    return renderer &&
+           (strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe") || strstr(renderer, "SwiftShader"));
 }

@@ -29,5 +29,7 @@ bool gpu_limits_check_with(gpu_limit_reader *reader, void *context, struct shade
 
 /* The name of the GPU of the current context, as its driver gives it; NULL without one. */
 const char *gpu_limits_renderer(void);
+/* Whether a GPU of this name (NULL: no) is the processor itself, by Mesa or SwiftShader. */
+bool gpu_limits_is_processor(const char *renderer);
 
 #endif

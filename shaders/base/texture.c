@@ -114,6 +114,22 @@ void texture_upload(unsigned texture, const struct texture_def *def, int layer, 
     }
 }
 
+unsigned texture_framebuffer(unsigned texture)
+{
+    GLint before = 0;
+    GLuint framebuffer = 0;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    bool whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    glBindFramebuffer(GL_FRAMEBUFFER, (GLuint)before);
+    if (!whole) {
+        glDeleteFramebuffers(1, &framebuffer);
+    }
+    return whole ? framebuffer : 0;
+}
+
 void texture_delete(unsigned *texture)
 {
     glDeleteTextures(1, texture);

@@ -42,6 +42,9 @@ unsigned texture_create(const struct texture_def *def);
  * Binds it to the active unit. */
 void texture_upload(unsigned texture, const struct texture_def *def, int layer, int x, int y, int width, int height,
                     const void *texels);
+/* GL name of a new framebuffer that draws into a texture without layers; 0 when the GPU refuses. Leaves the bound one
+ * bound. Delete with glDeleteFramebuffers. */
+unsigned texture_framebuffer(unsigned texture);
 void texture_delete(unsigned *texture); /* takes 0; leaves 0 */
 
 #endif

@@ -1,7 +1,6 @@
 #include "gray_scott_gpu.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include <GLES3/gl31.h>
 
@@ -59,18 +58,6 @@ static bool make_programs(struct gray_scott_gpu *gpu, struct shader_error *error
     return true;
 }
 
-static bool on_processor(void)
-{
-    static const char *const NAMES[] = {"llvmpipe", "softpipe", "SwiftShader"};
-    const char *renderer = gpu_limits_renderer();
-    for (size_t i = 0; renderer && i < sizeof NAMES / sizeof NAMES[0]; i++) {
-        if (strstr(renderer, NAMES[i])) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* False when the GPU has no room for it. */
 static bool fill_buffer(const struct gray_scott_gpu *gpu, int buffer, size_t bytes, const void *data)
 {
@@ -122,7 +109,7 @@ struct gray_scott_gpu *gray_scott_gpu_create(int width, int height, const struct
         gray_scott_gpu_destroy(gpu);
         return NULL;
     }
-    gpu->patches = !on_processor();
+    gpu->patches = !gpu_limits_is_processor(gpu_limits_renderer());
     return gpu;
 }
 

@@ -341,7 +341,7 @@ static int samples_of(float scale, int pixels)
 bool bolt_light_gpu_present(struct bolt_light_gpu *light, const struct bolt_view *given, double tick,
                             unsigned framebuffer, int panel_width, int panel_height, const float turn[4])
 {
-    bool turned = turn[1] * turn[1] > 0.25f; /* by a quarter */
+    bool turned = show_is_turned(turn);
     const struct bolt_view sound = bolt_view_sound(given), *view = &sound;
     int style = view->look.style;
     float age = bolt_age(view, tick);

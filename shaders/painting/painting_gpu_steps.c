@@ -4,10 +4,9 @@
  * and moves 5 GB/s. A fluid step does 440 operations a cell and moves 196 bytes (bench_gpu.c counts them): 15 ms a
  * dispatch, of the 100 ms that it may take. A pass of four pattern steps on free ground does 350 operations: 12 ms; on
  * any ground about 1000, and 2000 where k is not 2: 67 ms. */
-#include <string.h>
-
 #include <GLES3/gl31.h>
 
+#include "gpu_limits.h"
 #include "kernel.h"
 #include "painting_gpu_state.h"
 
@@ -17,22 +16,10 @@ enum {
     STRIP_STEPS = 2,         /* of a pass of pattern_strip.comp, always */
 };
 
-/* Whether GL runs on the processor: there shared memory costs two nanoseconds a word, and registers cost nothing. */
-static bool is_processor(void)
-{
-    static const char *const NAMES[] = {"llvmpipe", "softpipe", "SwiftShader"};
-    const char *renderer = (const char *)glGetString(GL_RENDERER);
-    for (size_t i = 0; renderer && i < sizeof NAMES / sizeof NAMES[0]; i++) {
-        if (strstr(renderer, NAMES[i])) {
-            return true;
-        }
-    }
-    return false;
-}
-
 enum gpu_way gpu_steps_way(void)
 {
-    return is_processor() ? GPU_STRIPS : GPU_PATCHES;
+    /* On a processor shared memory costs two nanoseconds a word, and registers cost nothing. */
+    return gpu_limits_is_processor(gpu_limits_renderer()) ? GPU_STRIPS : GPU_PATCHES;
 }
 
 void engine_gpu_set_way(struct engine *engine, enum gpu_way way)

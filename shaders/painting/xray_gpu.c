@@ -114,14 +114,8 @@ static bool make_sheet(struct xray_gpu *xray)
     if (!xray->sheet || !xray->legend) {
         return false;
     }
-    GLint before = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
-    glGenFramebuffers(1, &xray->framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, xray->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, xray->sheet, 0);
-    GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    glBindFramebuffer(GL_FRAMEBUFFER, (GLuint)before);
-    return status == GL_FRAMEBUFFER_COMPLETE;
+    xray->framebuffer = texture_framebuffer(xray->sheet);
+    return xray->framebuffer != 0;
 }
 
 struct xray_gpu *xray_gpu_create(int width, int height, int cells_x, int cells_y, const struct shader_folder *folder,
@@ -216,9 +210,7 @@ bool xray_gpu_shade(struct xray_gpu *xray, const struct fields *fields)
     glViewport(0, 0, xray->width, xray->height);
     glUseProgram(xray->program[PROGRAM_LEGEND]);
     bind(0, xray->legend);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    show_over();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);
     glBindFramebuffer(GL_FRAMEBUFFER, (GLuint)before);

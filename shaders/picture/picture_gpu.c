@@ -67,14 +67,8 @@ static bool make_buffers(struct picture_gpu *picture, struct shader_error *error
 {
     glGenBuffers(1, &picture->tone);
     picture_gpu_restart(picture);
-    GLint before = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
-    glGenFramebuffers(1, &picture->framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, picture->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture->texture[PICTURE_SHEET], 0);
-    GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    glBindFramebuffer(GL_FRAMEBUFFER, (GLuint)before);
-    return status == GL_FRAMEBUFFER_COMPLETE ||
+    picture->framebuffer = texture_framebuffer(picture->texture[PICTURE_SHEET]);
+    return picture->framebuffer != 0 ||
            shader_fail(error, "no framebuffer for a picture of %dx%d", picture->def.width, picture->def.height);
 }
 

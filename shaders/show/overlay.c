@@ -119,15 +119,11 @@ static void draw_piece(const struct piece *piece, const struct target *target)
 void overlay_present(const struct overlay *overlay, unsigned framebuffer, int panel_width, int panel_height,
                      int sheet_width, int sheet_height, const float turn[4])
 {
-    bool turned = turn[1] * turn[1] > 0.25f; /* by a quarter */
     struct target target = {.width = (float)sheet_width,
                             .height = (float)sheet_height,
-                            .exact = panel_width == (turned ? sheet_height : sheet_width) &&
-                                     panel_height == (turned ? sheet_width : sheet_height)};
+                            .exact = show_is_exact(sheet_width, sheet_height, panel_width, panel_height, turn)};
     show_target(framebuffer, panel_width, panel_height);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    show_over();
     glUseProgram(overlay->program);
     glUniform2i(0, panel_width, panel_height);
     glUniform2f(1, target.width, target.height);

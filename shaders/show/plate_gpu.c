@@ -236,11 +236,8 @@ static void take(int unit, unsigned texture)
     glBindTexture(GL_TEXTURE_2D, texture);
 }
 
-static void take_layer(const struct plate_gpu *plate, const struct layer *layer, int which, double tick, bool turned,
-                       int panel_width, int panel_height)
+static void take_layer(const struct plate_gpu *plate, const struct layer *layer, int which, double tick, bool exact)
 {
-    bool exact = panel_width == (turned ? layer->height : layer->width) &&
-                 panel_height == (turned ? layer->width : layer->height);
     float age = (float)(tick - (double)layer->tick) + PLATE_SOFT;
     float step = layer->steps > 0 ? 1 / layer->steps : 0;
     bool all = layer->shown == SHOWN_ALL;
@@ -254,21 +251,21 @@ static void take_layer(const struct plate_gpu *plate, const struct layer *layer,
 void plate_gpu_present(const struct plate_gpu *plate, double tick, float before, unsigned framebuffer, int panel_width,
                        int panel_height, const float turn[4])
 {
-    bool turned = turn[1] * turn[1] > 0.25f; /* by a quarter */
     before = fminf(fmaxf(before, 0), 1);
     if (!(plate->now.shown && before < 1) && !(plate->before.shown && before > 0)) {
         return;
     }
     show_target(framebuffer, panel_width, panel_height);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    show_over();
     glUseProgram(plate->program);
     glUniform2i(0, panel_width, panel_height);
     glUniformMatrix2fv(1, 1, GL_FALSE, turn);
     glUniform1f(2, before);
-    take_layer(plate, &plate->now, 0, tick, turned, panel_width, panel_height);
-    take_layer(plate, &plate->before, 1, tick, turned, panel_width, panel_height);
+    const struct layer *layers[] = {&plate->now, &plate->before};
+    for (int i = 0; i < 2; i++) {
+        bool exact = show_is_exact(layers[i]->width, layers[i]->height, panel_width, panel_height, turn);
+        take_layer(plate, layers[i], i, tick, exact);
+    }
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glActiveTexture(GL_TEXTURE0);
     glDisable(GL_BLEND);

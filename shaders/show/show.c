@@ -7,6 +7,24 @@ unsigned show_program(const struct shader_folder *folder, struct shader_error *e
     return program_draw(folder, "cover.vert", "show.frag", NULL, error);
 }
 
+bool show_is_turned(const float turn[4])
+{
+    return turn[1] * turn[1] > 0.25f;
+}
+
+bool show_is_exact(int width, int height, int panel_width, int panel_height, const float turn[4])
+{
+    bool turned = show_is_turned(turn);
+    return panel_width == (turned ? height : width) && panel_height == (turned ? width : height);
+}
+
+void show_over(void)
+{
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
 void show_target(unsigned framebuffer, int width, int height)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -22,22 +40,19 @@ void show_target(unsigned framebuffer, int width, int height)
 
 void show_sheet(const struct show *show, unsigned framebuffer, int panel_width, int panel_height, const float turn[4])
 {
-    bool turned = turn[1] * turn[1] > 0.25f; /* by a quarter */
-    bool exact =
-        panel_width == (turned ? show->height : show->width) && panel_height == (turned ? show->width : show->height);
     show_target(framebuffer, panel_width, panel_height);
     glUseProgram(show->program);
     glUniform2i(0, panel_width, panel_height);
     glUniform2i(1, show->width, show->height);
     glUniformMatrix2fv(2, 1, GL_FALSE, turn);
-    glUniform1i(3, exact);
+    glUniform1i(3, show_is_exact(show->width, show->height, panel_width, panel_height, turn));
     glUniform1f(4, show->opacity);
     glUniform1i(5, show->clear);
     if (show->clear) {
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        show_over();
     } else if (show->opacity < 1) {
         glEnable(GL_BLEND);
+        glBlendEquation(GL_FUNC_ADD);
         glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     }
     glActiveTexture(GL_TEXTURE0);

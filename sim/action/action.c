@@ -83,8 +83,7 @@ struct action action_legal(const struct action *action)
         if (key->type == KEY_NUMBER) {
             float value;
             memcpy(&value, at, sizeof value);
-            value = value >= (float)key->min ? value : (float)key->min; /* NaN becomes the least */
-            value = value <= (float)key->max ? value : (float)key->max;
+            value = key_bound(key, value);
             memcpy(at, &value, sizeof value);
         }
     }

@@ -150,11 +150,16 @@ static float most_of(const struct key *key)
     return key->type == KEY_FLAG ? 1 : (float)last;
 }
 
+float key_bound(const struct key *key, float value)
+{
+    float least = key->type == KEY_NUMBER || key->type == KEY_INTEGER ? (float)key->min : 0;
+    return value >= least ? fminf(value, most_of(key)) : least;
+}
+
 void key_take(const struct key *key, void *object, float value)
 {
     char *at = (char *)object + key->offset;
-    float least = key->type == KEY_NUMBER || key->type == KEY_INTEGER ? (float)key->min : 0;
-    value = value >= least ? fminf(value, most_of(key)) : least; /* NaN becomes the least */
+    value = key_bound(key, value);
     int whole = (int)floorf(fminf(value, INTEGER_MOST) + 0.5f);
     if (key->type == KEY_NUMBER) {
         memcpy(at, &value, sizeof value);

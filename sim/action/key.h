@@ -19,7 +19,8 @@ enum key_type {
                     vector */
     KEY_PICTURE, /* struct action_raster, from a picture: a path relative to the file that names it */
     KEY_TEXT,    /* const char *: a word or some, of `min` to `max` bytes; owned by whoever read it */
-    KEY_OPTION,  /* int: index into the options of the kind of scene (scene.h) that `min` is; written as the name there */
+    KEY_OPTION,  /* int: index into the options of the kind of scene (scene.h) that `min` is; written as the name there
+                  */
     KEY_COEFFICIENT, /* int: index into coefficient_keys[] (coefficients.h); written as the coefficient's name */
     KEY_ZONE,        /* float[4]: [left, top, right, bottom] in 0..1 of the sheet; its default reaches from a top of
                         `initial` down, all across */
@@ -51,6 +52,8 @@ void key_defaults(const struct key *keys, void *object);
 
 /* A value as a number: choices and flags by theirs from 0; of what is no number 0. */
 float key_value(const struct key *key, const void *object);
+/* A number brought into the key's range, not rounded; NaN becomes the least. */
+float key_bound(const struct key *key, float value);
 /* Sets it, brought into its range (NaN becomes the least) and rounded where it is whole. */
 void key_take(const struct key *key, void *object, float value);
 /* Whether every number, whole number and choice of `object` is within its range. */

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "noise.h"
+#include "smooth.h"
 
 #define FARTHEST 2.0f /* sheets that a front may lie beyond one: the range of its key */
 #define SLACK    0.1f /* phase that differs from place to place of the lattice, about */
@@ -15,12 +16,6 @@ static float clamp(float value, float least, float most)
 {
     value = value >= least ? value : least; /* NaN becomes the least */
     return value <= most ? value : most;
-}
-
-static float smooth(float from, float to, float value)
-{
-    float t = clamp((value - from) / (to - from), 0.0f, 1.0f);
-    return t * t * (3.0f - 2.0f * t);
 }
 
 /* Across and along the flow. */
@@ -126,7 +121,7 @@ static float front_at(const struct rinse *rinse, float across)
     if (i == last) {
         return front[last].y;
     }
-    return front[i].y + (front[i + 1].y - front[i].y) * smooth(front[i].x, front[i + 1].x, across);
+    return front[i].y + (front[i + 1].y - front[i].y) * smooth_between(front[i].x, front[i + 1].x, across);
 }
 
 /* The cells of the margin are where the border is. */
@@ -211,8 +206,8 @@ bool rinse_is_over(struct rinse *rinse, int x, int y)
 
 struct rinse_shares rinse_shares(float phase, float strength)
 {
-    float comes = smooth(0.0f, 0.15f, phase), goes = smooth(0.2f, 0.85f, phase),
-          last = smooth(0.75f, RINSE_OVER, phase);
+    float comes = smooth_between(0.0f, 0.15f, phase), goes = smooth_between(0.2f, 0.85f, phase),
+          last = smooth_between(0.75f, RINSE_OVER, phase);
     float wets = 3.0f * strength * comes, drains = phase < RINSE_OVER ? last * last : 1.0f;
     float thins = strength * (0.1f * comes + 0.9f * goes) + drains;
     return (struct rinse_shares){wets < 1.0f ? wets : 1.0f, thins < 1.0f ? thins : 1.0f, drains};

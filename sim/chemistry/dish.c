@@ -296,8 +296,9 @@ bool dish_is_calm(const struct dish *dish)
     return !turns && !dish->starts && dish->sows == 0 && !dish->combed && (dish->fresh || dish->all_dry >= 1);
 }
 
-static uint64_t dish_hash(const struct dish *dish)
+static uint64_t hash_of(const void *scene)
 {
+    const struct dish *dish = scene;
     uint64_t hash = HASH_START;
     size_t width = (size_t)gray_scott_width(dish->chemistry);
     for (const struct key *key = dish_keys; key->name; key++) {
@@ -320,6 +321,9 @@ static uint64_t dish_hash(const struct dish *dish)
     }
     if (dish->sows > 0) {
         hash = hash_bytes(hash, &dish->sows, sizeof dish->sows);
+    }
+    if (dish->sowings > 0) { /* what comes when all has died out */
+        hash = hash_number(hash, 2 * dish->sowings + dish->sown);
     }
     hash = hash_bytes(hash, &dish->all_dry, sizeof dish->all_dry);
     return hash_bytes(hash, &dish->owed, sizeof dish->owed);
@@ -354,31 +358,6 @@ static uint64_t nobody(const void *scene)
 {
     (void)scene;
     return 0;
-}
-
-static bool lay(void *scene, int64_t now, int width, int height, uint8_t *rgb)
-{
-    return dish_lay(scene, now, width, height, rgb);
-}
-
-static bool field(void *scene, enum scene_field which, int width, int height, float *values)
-{
-    return dish_field(scene, which, width, height, values);
-}
-
-static bool plane(void *scene, int which, int width, int height, float *values)
-{
-    return dish_plane(scene, which, width, height, values);
-}
-
-static int figures(const void *scene, struct scene_figure *all)
-{
-    return dish_figures(scene, all);
-}
-
-static uint64_t hash(const void *scene)
-{
-    return dish_hash(scene);
 }
 
 static const char *const PLANES[] = {"u", "v", NULL};
@@ -416,11 +395,11 @@ const struct scene_type dish_type = {
     .tick = tick,
     .can_undo = nobody,
     .can_redo = nobody,
-    .lay = lay,
-    .field = field,
-    .hash = hash,
+    .lay = dish_lay,
+    .field = dish_field,
+    .hash = hash_of,
     .is_calm = is_calm,
     .planes = PLANES,
-    .plane = plane,
-    .figures = figures,
+    .plane = dish_plane,
+    .figures = dish_figures,
 };

@@ -85,8 +85,9 @@ static bool along(const struct dish *dish, int width, int height, float *values)
     return true;
 }
 
-bool dish_field(const struct dish *dish, enum scene_field field, int width, int height, float *values)
+bool dish_field(void *scene, enum scene_field field, int width, int height, float *values)
 {
+    const struct dish *dish = scene;
     size_t cells = dish_cells(dish), count = (size_t)width * (size_t)height;
     if (field == FIELD_ALONG) {
         return along(dish, width, height, values);
@@ -106,8 +107,9 @@ bool dish_field(const struct dish *dish, enum scene_field field, int width, int 
     return true;
 }
 
-bool dish_plane(const struct dish *dish, int plane, int width, int height, float *values)
+bool dish_plane(void *scene, int plane, int width, int height, float *values)
 {
+    const struct dish *dish = scene;
     size_t cells = dish_cells(dish);
     float *planes = malloc(2 * cells * sizeof *planes);
     if (planes) {

@@ -40,8 +40,9 @@ static bool measure(const struct dish *dish, struct gray_scott_figures *figures)
     return good;
 }
 
-int dish_figures(const struct dish *dish, struct scene_figure *figures)
+int dish_figures(const void *scene, struct scene_figure *figures)
 {
+    const struct dish *dish = scene;
     struct gray_scott_figures of;
     if (!measure(dish, &of)) {
         return 0;

@@ -59,14 +59,14 @@ void dish_dry(struct dish *dish, const struct action *action, bool wet);
 /* dish_comb.c: a guide. */
 void dish_comb(struct dish *dish, const struct action *action);
 
-/* dish_view.c */
+/* dish_view.c. Here and below `scene` is a dish, and what is to be done is as of struct scene_type. */
 void dish_make_stops(struct dish *dish);
-bool dish_lay(struct dish *dish, int64_t tick, int width, int height, uint8_t *rgb);
+bool dish_lay(void *scene, int64_t tick, int width, int height, uint8_t *rgb);
 /* dish_field.c. Bilinear at the middles of other cells. */
 void dish_sample(const float *plane, int columns, int rows, int width, int height, float *values);
-bool dish_plane(const struct dish *dish, int plane, int width, int height, float *values);
+bool dish_plane(void *scene, int plane, int width, int height, float *values);
+bool dish_field(void *scene, enum scene_field field, int width, int height, float *values);
 /* dish_figures.c */
-int dish_figures(const struct dish *dish, struct scene_figure *figures);
-bool dish_field(const struct dish *dish, enum scene_field field, int width, int height, float *values);
+int dish_figures(const void *scene, struct scene_figure *figures);
 
 #endif

@@ -92,8 +92,8 @@ bool dish_view_lay(const struct dish_view *view, int width, int height, uint8_t 
     return good;
 }
 
-bool dish_lay(struct dish *dish, int64_t tick, int width, int height, uint8_t *rgb)
+bool dish_lay(void *scene, int64_t tick, int width, int height, uint8_t *rgb)
 {
-    struct dish_view view = dish_view(dish, tick);
+    struct dish_view view = dish_view(scene, tick);
     return dish_view_lay(&view, width, height, rgb);
 }

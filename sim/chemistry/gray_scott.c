@@ -10,20 +10,6 @@ enum { RING_ROWS = 4, CHEMICALS = 2 };
 /* Floats of one member: rows between steps, and the sums of a row. */
 #define MEMBER_FLOATS ((size_t)((CHEMISTRY_BLOCK - 1) * RING_ROWS * CHEMICALS + CHEMICALS) * CHEMISTRY_RING)
 
-static const struct gray_scott_kernels *choose_kernels(enum vectors vectors)
-{
-    switch (vectors_here(vectors)) {
-#if defined(__x86_64__)
-    case VECTORS_AVX512:
-        return &gray_scott_kernels_avx512;
-    case VECTORS_AVX2:
-        return &gray_scott_kernels_avx2;
-#endif
-    default:
-        return &gray_scott_kernels_narrow;
-    }
-}
-
 struct gray_scott *gray_scott_create(int width, int height, const struct gray_scott_def *def, int threads,
                                      enum vectors vectors)
 {
@@ -38,7 +24,7 @@ struct gray_scott *gray_scott_create(int width, int height, const struct gray_sc
     chemistry->height = height;
     chemistry->stride = (width + 15) / 16 * 16 + 2 * CHEMISTRY_LEAD;
     chemistry->maps_at = -1;
-    chemistry->kernels = choose_kernels(vectors);
+    chemistry->kernels = VECTORS_COPY(gray_scott_kernels, vectors);
     chemistry->team = team_create(threads);
     bool good = chemistry->team != NULL;
     size_t cells = (size_t)chemistry->stride * (size_t)height;

@@ -109,10 +109,10 @@ void gray_scott_bring(struct gray_scott *chemistry, struct rectangle area, float
 struct gray_scott_state gray_scott_brush_state(enum gray_scott_brush brush);
 struct rectangle gray_scott_stroke_area(const struct gray_scott *chemistry, const struct action_path *path,
                                         float radius);
-/* First states, over what is there: `count` discs at random places; grains at random, a share of the cells each painted
- * half and more; a mask, painted where it is light (or dark), as text and pictures give it. */
 /* Where the spot of that number falls, 0..1 of the sheet. */
 struct point gray_scott_seed_place(int number, uint32_t seed);
+/* First states, over what is there: `count` discs at those places, of a radius in cells; grains at random, a share of
+ * the cells, each painted half and more; a mask, painted where it is light (or dark), as text and pictures give it. */
 void gray_scott_seed_spots(struct gray_scott *chemistry, int count, float radius, uint32_t seed);
 void gray_scott_seed_noise(struct gray_scott *chemistry, float share, uint32_t seed);
 void gray_scott_seed_mask(struct gray_scott *chemistry, const struct action_raster *mask, bool dark);

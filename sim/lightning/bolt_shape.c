@@ -51,17 +51,27 @@ static void count_tips(struct bolt_shape *shape)
     }
 }
 
-/* Leonardo's rule, or Murray's: radius^pipe adds up; brought to `trunk` at the heaviest seed. */
+float bolt_shape_excess(const struct bolt_look *look, float tips)
+{
+    return power(tips, 1 / (look->pipe > 0.1f ? look->pipe : 0.1f)) - 1;
+}
+
+float bolt_shape_radius(const struct bolt_look *look, int32_t tips, float whole)
+{
+    float share = whole > 0 ? bolt_shape_excess(look, (float)tips) / whole : 0;
+    return look->tip + (look->trunk - look->tip) * (share < 1 ? share : 1);
+}
+
+/* Widest at the heaviest seed. */
 static void widen(struct bolt_shape *shape, const struct bolt_look *look)
 {
     int32_t most = 1;
     for (int32_t i = 0; i < shape->count; i++) {
         most = shape->nodes[i].tips > most ? shape->nodes[i].tips : most;
     }
-    float inverse = 1 / (look->pipe > 0.1f ? look->pipe : 0.1f), whole = power((float)most, inverse) - 1;
+    float whole = bolt_shape_excess(look, (float)most);
     for (int32_t i = 0; i < shape->count; i++) {
-        float share = whole > 0 ? (power((float)shape->nodes[i].tips, inverse) - 1) / whole : 0;
-        shape->nodes[i].radius = look->tip + (look->trunk - look->tip) * share;
+        shape->nodes[i].radius = bolt_shape_radius(look, shape->nodes[i].tips, whole);
     }
 }
 

@@ -55,6 +55,11 @@ float bolt_shape_leaf(const struct bolt_shape *shape, int32_t node, const struct
 /* Seeds hang together where they touch: the nearest earlier one, at most a diagonal away; -1: none. */
 int32_t bolt_shape_seed_before(const struct laplacian *laplacian, int32_t i);
 
+/* The pipe model, Leonardo's rule or Murray's: radius^pipe adds up over `tips`, brought to `trunk` where the excess is
+ * `whole`. The excess of so many tips: how much thicker than one they are, beside it. */
+float bolt_shape_excess(const struct bolt_look *look, float tips);
+float bolt_shape_radius(const struct bolt_look *look, int32_t tips, float whole);
+
 /* A segment to each node but seeds, in the order in which they grew, born `pace` nodes a tick; with leaves as the look
  * says. Owned by the caller; NULL when memory is short, or with no segments. */
 struct bolt_segment *bolt_shape_segments(const struct bolt_shape *shape, const struct bolt_look *look, float pace,

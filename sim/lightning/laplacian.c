@@ -13,16 +13,7 @@ enum { QUICK_FROM = 3000 /* candidates from which the fast method is quicker */ 
 
 const struct laplacian_kernels *laplacian_kernels_best(void)
 {
-    switch (vectors_here(VECTORS_BEST)) {
-#if defined(__x86_64__)
-    case VECTORS_AVX512:
-        return &laplacian_kernels_avx512;
-    case VECTORS_AVX2:
-        return &laplacian_kernels_avx2;
-#endif
-    default:
-        return &laplacian_kernels_narrow;
-    }
+    return VECTORS_COPY(laplacian_kernels, VECTORS_BEST);
 }
 
 static bool are_finite(const float *values, int count)
@@ -365,7 +356,7 @@ void laplacian_background(struct laplacian *laplacian, const struct action_raste
 
 void laplacian_eta(struct laplacian *laplacian, float eta)
 {
-    laplacian->def.eta = eta >= 0 ? fminf(eta, 20) : 0; /* NaN becomes the least */
+    key_take(key_find(laplacian_keys, "eta"), &laplacian->def, eta);
     laplacian->def.eta_end = -1;
     laplacian->eta_varies = laplacian->def.eta_map.values;
     laplacian->weighed = false;

@@ -47,6 +47,7 @@ enum laplacian_shape {
     LAPLACIAN_STROKE,   /* along a path: `charge` to each cell of its length; in 2D and 3D */
     LAPLACIAN_SHAPES
 };
+extern const char *const laplacian_shape_names[LAPLACIAN_SHAPES + 1]; /* "point", ...; ends with NULL */
 
 /* An attractor or repulsor (section III.E). */
 struct laplacian_charge {
@@ -118,7 +119,7 @@ bool laplacian_charge(struct laplacian *laplacian, const struct laplacian_charge
 
 /* Another background from now on, or none. */
 void laplacian_background(struct laplacian *laplacian, const struct action_raster *background);
-/* Another eta from now on, 0..20, whatever is done. */
+/* Another eta from now on, whatever is done; brought into the range of its key. */
 void laplacian_eta(struct laplacian *laplacian, float eta);
 
 /* For tests and benches: candidates, what is known of each, and a choice that is not grown. */

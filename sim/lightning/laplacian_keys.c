@@ -3,6 +3,7 @@
 #include "key_fields.h"
 
 const char *const laplacian_method_names[LAPLACIAN_METHODS + 1] = {"auto", "exact", "fast", NULL};
+const char *const laplacian_shape_names[LAPLACIAN_SHAPES + 1] = {"point", "line", "plane", "cylinder", "stroke", NULL};
 const char *const laplacian_status_names[LAPLACIAN_STATUSES] = {
     "growing", "complete", "far enough", "hit", "no candidates", "no seed within the mask", "bad value", "no memory"};
 

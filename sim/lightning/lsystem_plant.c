@@ -153,7 +153,7 @@ void lsystem_plant_preset(struct lsystem_plant *plant, enum lsystem_kind kind, i
                                                        {{0.55f, 0.07f, 0.10f}, {0.90f, 0.35f, 0.25f}}};
     float scale = (float)(width < height ? width : height) / 512;
     *plant = (struct lsystem_plant){.growth = lsystem_default_def()};
-    plant->growth.tip = 0.8f * scale > 0.05f ? 0.8f * scale : 0.05f;
+    plant->growth.tip = 0.8f * scale;
     switch (kind) {
     case LSYSTEM_TREE:
         make_tree(plant, (float)width, (float)height, scale);
@@ -169,7 +169,7 @@ void lsystem_plant_preset(struct lsystem_plant *plant, enum lsystem_kind kind, i
     }
     plant->growth.response /= scale;
     plant->growth.clearance *= scale;
-    plant->growth.length = plant->growth.length > 0.5f ? plant->growth.length : 0.5f;
+    keys_make_legal(lsystem_keys, &plant->growth);
     plant->growth.charges = plant->charges;
     plant->growth.seeds = plant->seeds;
     plant->look.style = BOLT_BODY;

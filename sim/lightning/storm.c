@@ -222,21 +222,6 @@ static bool lay(void *scene, int64_t now, int width, int height, uint8_t *rgb)
     return bolt_light_lay(&view, (double)now, width, height, rgb);
 }
 
-static bool field(void *scene, enum scene_field which, int width, int height, float *values)
-{
-    return storm_field(scene, which, width, height, values);
-}
-
-static uint64_t hash(const void *scene)
-{
-    return storm_hash(scene);
-}
-
-static int figures(const void *scene, struct scene_figure *all)
-{
-    return storm_figures(scene, all);
-}
-
 static void initial_options(void *options)
 {
     *(struct storm_def *)options = storm_preset(BOLT_LIGHTNING);
@@ -270,8 +255,8 @@ const struct scene_type storm_type = {
     .can_undo = can_undo,
     .can_redo = can_redo,
     .lay = lay,
-    .field = field,
-    .hash = hash,
+    .field = storm_field,
+    .hash = storm_hash,
     .is_calm = is_calm,
-    .figures = figures,
+    .figures = storm_figures,
 };

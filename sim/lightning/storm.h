@@ -3,7 +3,10 @@
  * until it is washed away.
  *
  * The same actions make the same storm to the bit, whatever the machine. A lightning strike runs from above to where
- * the hand is (and follows it, while it grows, as the hand attracts); all other kinds begin where the hand is. */
+ * the hand is (and follows it, while it grows, as the hand attracts); all other kinds begin where the hand is.
+ *
+ * Undo and redo are of bolts and of painted charges. A mask stays until it is unmasked or all is cleared, and what was
+ * washed away stays so: bolts have grown along them. */
 #ifndef FROND_STORM_H
 #define FROND_STORM_H
 
@@ -41,10 +44,14 @@ struct storm_def storm_preset(enum bolt_kind kind);
 void storm_take(struct storm_def *def, int key, float value);
 
 struct storm;
-struct storm *storm_create(int width, int height); /* of BOLT_LIGHTNING. NULL when memory is short */
-void storm_destroy(struct storm *storm);           /* takes NULL */
+struct storm *storm_create(int width,
+                           int height);  /* cells of the sheet; of BOLT_LIGHTNING. NULL when memory is short */
+void storm_destroy(struct storm *storm); /* takes NULL */
+/* The sheet has another grid: what has grown is where it was, in its shares. */
 void storm_resize(struct storm *storm, int width, int height);
+/* Rasters and paths are copied. Ticks do not go back. */
 void storm_act(struct storm *storm, int64_t tick, const struct action *action);
+/* False when memory was short, now or in what was done before. */
 bool storm_tick(struct storm *storm, int64_t tick);
 struct storm_def storm_get_def(const struct storm *storm);
 /* What is to be seen; good until the next call that changes anything. `since`: segments before it are as they were

@@ -200,8 +200,9 @@ static bool field_around(const struct storm *storm, int width, int height, float
     return good;
 }
 
-bool storm_field(const struct storm *storm, enum scene_field which, int width, int height, float *values)
+bool storm_field(void *scene, enum scene_field which, int width, int height, float *values)
 {
+    const struct storm *storm = scene;
     if (which == FIELD_ALONG) {
         return field_along(storm, width, height, values);
     }
@@ -212,8 +213,9 @@ bool storm_field(const struct storm *storm, enum scene_field which, int width, i
     return true;
 }
 
-uint64_t storm_hash(const struct storm *storm)
+uint64_t storm_hash(const void *scene)
 {
+    const struct storm *storm = scene;
     uint64_t found = HASH_START;
     for (int i = 0; i < storm->count; i++) {
         const struct bolt_segment *segment = &storm->segments[i];
@@ -227,6 +229,7 @@ uint64_t storm_hash(const struct storm *storm)
     }
     for (int i = 0; i < storm->mask_columns * storm->mask_rows; i++) {
         found = storm->mask[i] < 0.5f ? hash_number(found, i) : found;
+        found = storm->scar[i] > 0 ? hash_number(hash_number(found, i), storm->scar[i]) : found;
     }
     found = hash_number(found, storm->origin);
     return hash_number(hash_number(found, storm->def.kind), (int64_t)storm_particles(storm));

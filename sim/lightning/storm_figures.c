@@ -1,8 +1,9 @@
 /* What there is of a storm, in figures. */
 #include "storm_state.h"
 
-int storm_figures(const struct storm *storm, struct scene_figure *figures)
+int storm_figures(const void *scene, struct scene_figure *figures)
 {
+    const struct storm *storm = scene;
     int bolts = 0, growing = 0, struck = 0;
     for (int i = 0; i < STORM_SLOTS; i++) {
         const struct storm_bolt *bolt = &storm->bolts[i];

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exponential.h"
 #include "random.h"
 #include "storm_state.h"
 
@@ -58,7 +57,7 @@ void storm_shape(struct storm *storm, struct storm_bolt *bolt)
 {
     const struct bolt_look *look = &bolt->look;
     struct storm_node *nodes = bolt->nodes;
-    float inverse = 1 / (look->pipe > 0.1f ? look->pipe : 0.1f), most = 1;
+    float most = 1;
     count_tips(bolt);
     even_out(bolt);
     for (int32_t i = 0; i < bolt->count; i++) {
@@ -70,14 +69,13 @@ void storm_shape(struct storm *storm, struct storm_bolt *bolt)
         left = storm->now < bolt->swells ? (float)(bolt->swells - storm->now) / STORM_SWELL : 0;
     }
     most *= 1 + left * (expected - 1);
-    bolt->whole = power(most, inverse) - 1;
+    bolt->whole = bolt_shape_excess(look, most);
     int32_t known = 0;
     float radius = look->tip;
     for (int32_t i = 0; i < bolt->count; i++) {
         if (nodes[i].tips != known) {
             known = nodes[i].tips;
-            float share = bolt->whole > 0 ? (power((float)known, inverse) - 1) / bolt->whole : 0;
-            radius = look->tip + (look->trunk - look->tip) * fminf(share, 1);
+            radius = bolt_shape_radius(look, known, bolt->whole);
         }
         nodes[i].radius = radius;
     }

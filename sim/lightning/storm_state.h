@@ -138,8 +138,8 @@ bool storm_bolt_grows(const struct storm_bolt *bolt);
 /* Particles of all. */
 int64_t storm_particles(const struct storm *storm);
 
-/* storm_figures.c: as struct scene_type has it. */
-int storm_figures(const struct storm *storm, struct scene_figure *figures);
+/* storm_figures.c: of a storm, as struct scene_type has it. */
+int storm_figures(const void *scene, struct scene_figure *figures);
 
 /* storm_aim.c: where bolts begin and what pulls them. */
 /* Fills what it needs of the bolt, and its seeds: at most `most`. False: nowhere to begin. */
@@ -192,7 +192,8 @@ void storm_scar_lay(const struct storm *storm, int width, int height, float *val
 
 /* storm_field.c. The slot's bolt, or all that have grown and were not taken back, faded or not (-1): 1 becomes 0. */
 void storm_field_draw(const struct storm *storm, int slot, int width, int height, float *values);
-bool storm_field(const struct storm *storm, enum scene_field which, int width, int height, float *values);
-uint64_t storm_hash(const struct storm *storm);
+/* Of a storm, as struct scene_type has them. */
+bool storm_field(void *scene, enum scene_field which, int width, int height, float *values);
+uint64_t storm_hash(const void *scene);
 
 #endif

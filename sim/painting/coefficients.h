@@ -20,6 +20,8 @@ enum noise_kind {
     NOISE_LOGNORMAL, /* few cells that conduct well among many that do not; mean 1 */
 };
 
+enum { FLUID_STEPS_MOST = 4, PATTERN_STEPS_MOST = 8 }; /* a tick; engines have room for so many */
+
 struct coefficients {
     /* Pattern layer, section 3. */
     float alpha_a; /* eq. 2, diffusion of the active pattern; varies over the sheet */
@@ -32,7 +34,7 @@ struct coefficients {
     int noise;     /* enum noise_kind; varies over the sheet */
     float delta;   /* eq. 2, solvent density below which the front does not diffuse */
     float s_max;  /* solvent density that the reaction of eq. 3 counts at most; varies over the sheet. Not in the paper:
-                     without  it the flood behind a drop grows a compact disc */
+                     without it the flood behind a drop grows a compact disc */
     float seam;   /* catalyst density below which uncarved ground is left as a seam between neighbours (section 7) */
     int stencil;  /* enum stencil */
     float weight; /* diagonal weight of the isotropic stencil; 0 takes it from alpha_a, beta_y and k; varies over the

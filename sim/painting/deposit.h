@@ -16,15 +16,16 @@
 
 enum { DEPOSIT_CELLS = 1 << 15 }; /* of a part at most: seven rows of the widest sheet */
 
-/* What is done to a cell, where cover > 0 (but FRESH). Carved is rho_a + rho_p > CARVED_DEPTH (kernel.h). Ink comes with
- * pigment, which blends by mass. In this order in deposit.comp, too. */
+/* What is done to a cell, where cover > 0 (but FRESH). Carved is rho_a + rho_p > CARVED_DEPTH (kernel.h). Ink comes
+ * with pigment, which blends by mass. In this order in deposit.comp, too. */
 enum deposit_law {
     DEPOSIT_NOTHING,
     DEPOSIT_DROP,    /* rho_a = max(rho_a, seed); solvent comes: cover * solvent; ink comes: cover * amount */
     DEPOSIT_SOLVENT, /* solvent comes: cover * amount */
     DEPOSIT_INK,     /* ink comes: cover * amount, if the ground is carved there */
     DEPOSIT_LINE,    /* dry pigment of the ink = max(dry, cover * amount) */
-    DEPOSIT_FRESH,   /* cover > 0: fresh ground, everything on it gone; else rho_a = max(rho_a, seed) if rho_p > .1 */
+    DEPOSIT_FRESH,   /* cover > 0: fresh ground, everything on it gone; else rho_a = max(rho_a, seed) if rho_p >
+                        CARVED_DEPTH */
     DEPOSIT_DRIES,   /* the share `cover` of solvent, ink and wet pigment dries or leaves */
     DEPOSIT_WETS,    /* solvent comes, if carved: cover * solvent; the share `amount` of dry pigment loosens */
     DEPOSIT_RINSE,   /* as rinse.h says: cover is the phase of the water, seed the turn of its flow */

@@ -6,6 +6,7 @@
 #include "ground.h"
 #include "noise.h"
 #include "region.h"
+#include "smooth.h"
 #include "xi.h"
 
 #define STAMP_UNIT (1.0f / 16)
@@ -106,13 +107,6 @@ uint16_t ground_fresh_xi(const struct ground *ground, int x, int y)
     return stored(xi_at(ground, x, y, c->xi0, c->noise), UNIT_XI);
 }
 
-static float smoothstep(float from, float to, float value)
-{
-    float t = (value - from) / (to - from);
-    t = t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t;
-    return t * t * (3.0f - 2.0f * t);
-}
-
 /* What a brush wants at a cell `distance` from its drop (in shares of its reach). */
 static struct local brush_at(const struct ground *ground, const struct brush *brush, int x, int y, float distance)
 {
@@ -149,10 +143,10 @@ static void blend(struct local *to, const struct local *with, float share)
 static void stamp_cell(struct ground *ground, int x, int y, const struct brush *brush, float distance, float reach)
 {
     uint16_t *nearest = ground_stamped(ground, y) + x;
-    float share = 1.0f - smoothstep(0.8f, 1.0f, distance / reach);
+    float share = 1.0f - smooth_between(0.8f, 1.0f, distance / reach);
     if (*nearest != GROUND_NEVER_STAMPED) {
         float old = (float)*nearest * STAMP_UNIT;
-        share *= smoothstep(0.42f, 0.58f, old / (old + distance + 1e-3f));
+        share *= smooth_between(0.42f, 0.58f, old / (old + distance + 1e-3f));
     }
     if (share <= 0.0f) {
         return;
@@ -218,19 +212,6 @@ static bool set_local(const struct ground *ground, struct local *local, size_t c
     return true;
 }
 
-static float in_range(const struct key *key, float value)
-{
-    if (key->type == KEY_CHOICE) {
-        int last = 0;
-        while (key->choices[last + 1]) {
-            last++;
-        }
-        return value <= 0.0f ? 0.0f : value > (float)last ? (float)last : floorf(value);
-    }
-    value = value >= (float)key->min ? value : (float)key->min;
-    return value <= (float)key->max ? value : (float)key->max;
-}
-
 /* The value for the whole sheet, kept for what does not vary and for a sheet made fresh. */
 static void set_everywhere(struct ground *ground, const struct key *key, float value)
 {
@@ -257,7 +238,7 @@ static float value_for(const struct ground *ground, const struct action *action,
         value *= 1.0f + action->vary * vary_at(ground, x, y, action->size, RANDOM_VARY_SET);
     }
     if (disc->kind == REGION_DISC) {
-        *share = 1.0f - smoothstep(0.5f, 1.0f, region_distance(disc, x, y, NULL) / disc->radius);
+        *share = 1.0f - smooth_between(0.5f, 1.0f, region_distance(disc, x, y, NULL) / disc->radius);
     }
     return value;
 }
@@ -273,11 +254,11 @@ struct rectangle ground_set(struct ground *ground, const struct action *action)
     struct canvas canvas = painting_canvas(&ground->def);
     struct region disc = region_of(&canvas, &place);
     if (disc.kind == REGION_ALL) {
-        set_everywhere(ground, key, in_range(key, action->value));
+        set_everywhere(ground, key, key_bound(key, action->value));
     }
     for (int y = disc.cells.y0; y < disc.cells.y1; y++) {
         for (int x = disc.cells.x0; x < disc.cells.x1; x++) {
-            float share, value = in_range(key, value_for(ground, action, &disc, x, y, &share));
+            float share, value = key_bound(key, value_for(ground, action, &disc, x, y, &share));
             struct local local = read_local(ground, x, y), wanted = local;
             if (!set_local(ground, &wanted, key->offset, value, x, y)) {
                 return (struct rectangle){0, ground->width, 0, ground->height};

@@ -11,20 +11,6 @@ struct painting_def painting_default_def(void)
     return (struct painting_def){.width = 720, .height = 720, .seed = 1, .coefficients = coefficients_default()};
 }
 
-static const struct kernels *choose_kernels(enum vectors vectors)
-{
-    switch (vectors_here(vectors)) {
-#if defined(__x86_64__)
-    case VECTORS_AVX512:
-        return &kernels_avx512;
-    case VECTORS_AVX2:
-        return &kernels_avx2;
-#endif
-    default:
-        return &kernels_narrow;
-    }
-}
-
 static void *take(struct painting *painting, size_t count, size_t size)
 {
     return memory_take(count, size, &painting->bytes);
@@ -66,8 +52,8 @@ static void free_rows(struct bench_rows *rows)
 /* Room for the halos of the dense runs, which always suffices, and at least eight bytes a cell for many small ones. */
 static bool take_halo(struct painting *painting)
 {
-    struct halo_layout fluid = {painting->fluid, FLUID_FIELDS, FLUID_LEVELS - 1};
-    struct halo_layout pattern = {painting->pattern, PATTERN_FIELDS, PATTERN_LEVELS - 1};
+    struct halo_layout fluid = {painting->fluid, FLUID_FIELDS, FLUID_STEPS_MOST};
+    struct halo_layout pattern = {painting->pattern, PATTERN_FIELDS, PATTERN_STEPS_MOST};
     tiles_wake(&painting->tiles, TILE_FLOWS, TILE_OPENED, TILE_WET, true);
     size_t need = halo_need(painting, &fluid), other = halo_need(painting, &pattern);
     size_t least = 2 * (size_t)painting->width * (size_t)painting->height;
@@ -113,7 +99,7 @@ struct painting *painting_create(const struct painting_def *def)
     painting->width = def->width + 2 * def->margin;
     painting->height = def->height + 2 * def->margin;
     painting->stride = ground_stride(painting->width);
-    painting->kernels = choose_kernels(def->vectors);
+    painting->kernels = VECTORS_COPY(kernels, def->vectors);
     painting->team = team_create(def->threads);
     if (!painting->team ||
         !tiles_init(&painting->tiles, painting->width, painting->height, team_size(painting->team)) ||

@@ -4,8 +4,6 @@
 
 #include "painting_state.h"
 
-enum { STEPS_MOST = FLUID_LEVELS - 1 };
-
 struct fluid_pass {
     struct painting *painting;
     struct halo_layout layout;
@@ -251,7 +249,7 @@ static void sweep_run(void *context, int piece, int member)
 void painting_flow(struct painting *painting)
 {
     struct fluid_pass pass = {.painting = painting, .steps = painting->def.coefficients.fluid_steps};
-    pass.steps = pass.steps > STEPS_MOST ? STEPS_MOST : pass.steps;
+    pass.steps = pass.steps > FLUID_STEPS_MOST ? FLUID_STEPS_MOST : pass.steps;
     pass.layout = (struct halo_layout){painting->fluid, FLUID_FIELDS, pass.steps};
     struct sweep sweep = {pass.layout, TILE_FLOWS, TILE_OPENED, TILE_WET, sweep_run, &pass};
     painting->effort.fluid_awake = halo_sweep(painting, &sweep);

@@ -3,8 +3,6 @@
 
 #include "painting_state.h"
 
-enum { STEPS_MOST = PATTERN_LEVELS - 1 };
-
 struct pattern_pass {
     struct painting *painting;
     struct halo_layout layout;
@@ -225,7 +223,7 @@ static void sweep_run(void *context, int piece, int member)
 void painting_grow(struct painting *painting)
 {
     struct pattern_pass pass = {.painting = painting, .steps = painting->def.coefficients.pattern_steps};
-    pass.steps = pass.steps > STEPS_MOST ? STEPS_MOST : pass.steps;
+    pass.steps = pass.steps > PATTERN_STEPS_MOST ? PATTERN_STEPS_MOST : pass.steps;
     pass.layout = (struct halo_layout){painting->pattern, PATTERN_FIELDS, pass.steps};
     struct sweep sweep = {pass.layout, TILE_GROWS, TILE_FED, TILE_ALIVE, sweep_run, &pass};
     painting->effort.pattern_awake = halo_sweep(painting, &sweep);

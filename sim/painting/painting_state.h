@@ -32,7 +32,7 @@ struct bench_rows {
     int32_t *changed;       /* [2][RING] */
     int32_t *fed, *unheard; /* [RING] */
 };
-enum { FLUID_LEVELS = 4 + 1, PATTERN_LEVELS = 8 + 1, GATE_ROWS = 8, RATE_ROWS = 16 };
+enum { FLUID_LEVELS = FLUID_STEPS_MOST + 1, PATTERN_LEVELS = PATTERN_STEPS_MOST + 1, GATE_ROWS = 8, RATE_ROWS = 16 };
 
 struct painting {
     struct painting_def def;

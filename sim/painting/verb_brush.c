@@ -40,14 +40,14 @@ static struct rectangle bounds(struct deposit *deposit)
 /* A stroke of a brush is hard at its edge; a formula or a picture says how much. */
 static float brush_cover(struct deposit *deposit, int x, int y, float *seed)
 {
-    (void)seed;
+    *seed = 0.0f;
     const struct region *region = &deposit->region;
     return region->kind == REGION_RASTER ? region_cover(region, x, y) : region_holds(region, x, y) ? 1.0f : 0.0f;
 }
 
 static float line_cover(struct deposit *deposit, int x, int y, float *seed)
 {
-    (void)seed;
+    *seed = 0.0f;
     return region_cover(&deposit->region, x, y);
 }
 

@@ -18,7 +18,7 @@ static const struct key WET[] = {
 
 static float share(struct deposit *deposit, int x, int y, float *seed)
 {
-    (void)seed;
+    *seed = 0.0f;
     return region_holds(&deposit->region, x, y) ? deposit->amount : 0.0f;
 }
 

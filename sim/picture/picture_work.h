@@ -8,6 +8,7 @@
 #include "picture.h"
 #include "picture_grain.h"
 #include "picture_resample.h"
+#include "smooth.h"
 
 enum picture_layer {
     LAYER_RELIEF, /* depth tamed to 0..0.6: the centre of a drop is no well, every painting is equally deep */
@@ -66,14 +67,6 @@ struct picture {
     atomic_uint inked;          /* bit k: ink k is somewhere; bit INK_PALETTE: lines are */
     uint8_t *rgb;
 };
-
-static inline float smooth_between(float low, float high, float x)
-{
-    float t = (x - low) / (high - low);
-    t = t > 0 ? t : 0;
-    t = t < 1 ? t : 1;
-    return t * t * (3 - 2 * t);
-}
 
 /* Direction of the light, to the upper left and towards the eye, and half way between it and the eye. */
 struct picture_light {

@@ -3,17 +3,11 @@
 
 #include "growth_paint.h"
 #include "noise.h"
+#include "smooth.h"
 
 static float lerp(float a, float b, float t)
 {
     return a + (b - a) * t;
-}
-
-static float soft(float from, float to, float value)
-{
-    float t = (value - from) / (to - from);
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return t * t * (3 - 2 * t);
 }
 
 static void set(float rgb[3], float r, float g, float b)
@@ -148,7 +142,7 @@ void growth_ground(const struct growth_shade *shade, int x, int y, float rgb[3])
         cloud += 0.8f * noise_smooth(u + 0.6f * v, v - 0.3f * u, 11, 25, RANDOM_SMOOTH);
     }
     float across = 2 * (float)x / (float)def->width - 1, along = 2 * down - 1;
-    float corner = soft(0.9f, 2.1f, across * across + along * along);
+    float corner = smooth_between(0.9f, 2.1f, across * across + along * along);
     for (int c = 0; c < 3; c++) {
         rgb[c] = lerp(palette->top[c], palette->bottom[c], down);
         rgb[c] *= (1 + grain * (cloud + 0.7f * fine)) * (1 - 0.07f * corner);
@@ -177,11 +171,11 @@ static float vine_colour(const struct growth_shade *shade, const struct stroke_r
     for (int c = 0; c < 3; c++) {
         rgb[c] = lerp(shade->middle[c], shade->light[c], tone);
     }
-    toward(rgb, YOUNG, 0.35f * soft(0.5f, 1, tone));
-    toward(rgb, AUTUMN, 0.6f * soft(0.86f, 0.92f, tone));
+    toward(rgb, YOUNG, 0.35f * smooth_between(0.5f, 1, tone));
+    toward(rgb, AUTUMN, 0.6f * smooth_between(0.86f, 0.92f, tone));
     float half = raster->across[i] > 0 ? 1.09f : 0.90f; /* the two halves turn to the light unlike each other */
-    float rib = soft(0.16f, 0.05f, edge) * soft(1.5f, 2.5f, raster->radius[i]);
-    float rim = soft(0.80f, 0.98f, edge);
+    float rib = smooth_between(0.16f, 0.05f, edge) * smooth_between(1.5f, 2.5f, raster->radius[i]);
+    float rim = smooth_between(0.80f, 0.98f, edge);
     for (int c = 0; c < 3; c++) {
         rgb[c] = lerp(rgb[c] * half, shade->light[c] * 1.25f, 0.5f * rib);
         rgb[c] = lerp(rgb[c], shade->dark[c], 0.75f * rim);
@@ -197,7 +191,7 @@ static float winter_colour(const struct growth_shade *shade, const struct stroke
         rgb[c] = lerp(shade->dark[c], shade->light[c], 0.85f * light);
     }
     float upper = -raster->slope_y[i] * fabsf(raster->across[i]);
-    toward(rgb, SNOW, soft(0.22f, 0.5f, upper) * soft(0.42f, 0.75f, thick));
+    toward(rgb, SNOW, smooth_between(0.22f, 0.5f, upper) * smooth_between(0.42f, 0.75f, thick));
     return 1;
 }
 
@@ -211,10 +205,10 @@ static float bark_colour(const struct growth_shade *shade, const struct stroke_r
     float bright = light * 0.9f + 0.22f * patch;
     bright = bright < 0 ? 0 : bright > 1 ? 1 : bright;
     for (int c = 0; c < 3; c++) {
-        float low = lerp(shade->dark[c], shade->middle[c], soft(0, 0.5f, bright));
-        rgb[c] = lerp(low, shade->light[c], soft(0.5f, 1, bright));
+        float low = lerp(shade->dark[c], shade->middle[c], smooth_between(0, 0.5f, bright));
+        rgb[c] = lerp(low, shade->light[c], smooth_between(0.5f, 1, bright));
     }
-    float thin = soft(1.6f, 0.3f, raster->radius[i] / raster->scale);
+    float thin = smooth_between(1.6f, 0.3f, raster->radius[i] / raster->scale);
     toward(rgb, shade->haze, 0.08f * thin + (shade->def->background ? 0.04f : 0));
     return 1;
 }
@@ -249,7 +243,7 @@ float growth_colour(const struct growth_shade *shade, const struct stroke_raster
     case METAPHOR_FROST:
         for (int c = 0; c < 3; c++) {
             rgb[c] = lerp(shade->light[c], shade->middle[c], edge * edge);
-            rgb[c] = lerp(rgb[c], shade->dark[c], soft(1.2f, 0.4f, raster->radius[i] / raster->scale) * 0.8f);
+            rgb[c] = lerp(rgb[c], shade->dark[c], smooth_between(1.2f, 0.4f, raster->radius[i] / raster->scale) * 0.8f);
         }
         opaque = shade->kind == STROKE_NEEDLE ? 0.75f : 0.95f;
         break;
@@ -257,7 +251,7 @@ float growth_colour(const struct growth_shade *shade, const struct stroke_raster
         for (int c = 0; c < 3; c++) {
             rgb[c] = lerp(shade->dark[c], shade->middle[c], edge * edge);
         }
-        opaque = 0.55f + 0.4f * soft(0.3f, 1.2f, raster->radius[i] / raster->scale);
+        opaque = 0.55f + 0.4f * smooth_between(0.3f, 1.2f, raster->radius[i] / raster->scale);
         break;
     default:
         opaque = ink_colour(shade, raster, i, rgb);

@@ -8,6 +8,7 @@
 #include "growth.h"
 #include "memory.h"
 #include "noise.h"
+#include "smooth.h"
 
 enum { TRIES = 40, WILD_SEED = 77 };
 
@@ -20,13 +21,6 @@ struct planting {
     uint32_t seed;
 };
 
-static float soft(float from, float to, float value)
-{
-    float t = (value - from) / (to - from);
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return t * t * (3 - 2 * t);
-}
-
 /* An ellipse with an unsteady edge, over which importance fades. */
 static float crown_at(const struct planting *planting, float x, float y)
 {
@@ -35,16 +29,16 @@ static float crown_at(const struct planting *planting, float x, float y)
     float angle = atan2f(dy, dx), far = sqrtf(dx * dx + dy * dy);
     float wobble =
         0.07f * noise_smooth(200 + 60 * cosf(angle), 200 + 60 * sinf(angle), 34, (uint32_t)def->seed, RANDOM_SMOOTH);
-    return soft(1, 0.82f, far + wobble);
+    return smooth_between(1, 0.82f, far + wobble);
 }
 
 static float wild_at(const struct growth_def *def, float x)
 {
     switch (def->side) {
     case SIDE_LEFT:
-        return soft(0.51f, 0.39f, x);
+        return smooth_between(0.51f, 0.39f, x);
     case SIDE_RIGHT:
-        return soft(0.49f, 0.61f, x);
+        return smooth_between(0.49f, 0.61f, x);
     case SIDE_ALL:
         return 1;
     default:

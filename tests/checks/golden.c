@@ -1,5 +1,5 @@
-/* golden FOLDER [JOURNAL]: plays every journal that FOLDER/hashes.txt names, or one of them, and compares the painting at its
- * end:
+/* golden FOLDER [JOURNAL]: plays every journal that FOLDER/hashes.txt names, or one of them, and compares the painting
+ * at its end:
  *
  *     NAME TICKS HASH
  *

@@ -1,33 +1,8 @@
 #!/bin/sh
 # The command line as people meet it: exit status, what is printed where, and what is left behind. cli.sh FROND DATA
-set -u
-frond=$(realpath "$1") || exit 1
-data=$(realpath "$2") || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-fail() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$1"
-    sed 's/^/  stdout: /' out.txt
-    sed 's/^/  stderr: /' err.txt
-}
-
-# expect STATUS ARGUMENTS...: runs frond without a terminal; leaves out.txt and err.txt.
-expect() {
-    wanted=$1
-    shift
-    last="frond $*"
-    "$frond" "$@" >out.txt 2>err.txt </dev/null
-    status=$?
-    [ "$status" -eq "$wanted" ] || fail "$last: exit status $status, not $wanted"
-}
-
-says() { # the whole of stderr
-    [ "$(cat err.txt)" = "$1" ] || fail "$last: stderr is not: $1"
-}
+# shellcheck source=tests/cli/case.sh
+. "$(dirname "$0")/case.sh"
+data=$second
 
 prints() { # a line of stdout
     grep -qxF -- "$1" out.txt || fail "$last: stdout lacks: $1"
@@ -364,5 +339,4 @@ present b.png
 expect 0 explain grow.endpoints
 quiet
 
-[ "$failures" -eq 0 ] || exit 1
-echo "the command line says what it should"
+verdict

@@ -1,33 +1,9 @@
 #!/bin/sh
 # `frond run` with an exhibit on a display in memory: it paints by itself, takes up what a curator writes while it runs,
 # and keeps what it has when that is wrong. kiosk.sh FROND EXHIBITS
-set -u
-frond=$(realpath "$1") || exit 1
-exhibits=$(realpath "$2") || exit 1
-work=$(mktemp -d) || exit 1
-running=
-trap '[ -z "$running" ] || kill "$running" 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-fail() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$1"
-    sed 's/^/  stderr: /' err.txt
-}
-
-# Waits until stderr says so, for at most so many tenths of a second.
-wait_for() {
-    left=$2
-    until grep -q -- "$1" err.txt; do
-        left=$((left - 1))
-        [ "$left" -gt 0 ] || {
-            fail "it never said: $1"
-            return 1
-        }
-        sleep 0.1
-    done
-}
+# shellcheck source=tests/cli/case.sh
+. "$(dirname "$0")/case.sh"
+exhibits=$second
 
 # Every exhibit that comes with Frond.
 for exhibit in "$exhibits"/*.yaml; do
@@ -121,4 +97,4 @@ wait "$running" || fail "it ended with status $?"
 running=
 [ -z "$(ls status)" ] || fail "what has ended still has a status"
 
-[ "$failures" -eq 0 ]
+verdict

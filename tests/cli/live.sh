@@ -1,40 +1,8 @@
 #!/bin/sh
 # `frond run` on a display in memory, and the engine of the GPU: what is said, what is left behind. live.sh FROND DATA
-set -u
-frond=$(realpath "$1") || exit 1
-data=$(realpath "$2") || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-XDG_STATE_HOME=$work/state
-export XDG_STATE_HOME
-unset STATE_DIRECTORY
-failures=0
-
-fail() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$1"
-    sed 's/^/  stdout: /' out.txt
-    sed 's/^/  stderr: /' err.txt
-}
-
-# expect STATUS ARGUMENTS...: runs frond without a terminal; leaves out.txt and err.txt.
-expect() {
-    wanted=$1
-    shift
-    last="frond $*"
-    timeout 60 "$frond" "$@" >out.txt 2>err.txt </dev/null
-    status=$?
-    [ "$status" -eq "$wanted" ] || fail "$last: exit status $status, not $wanted"
-}
-
-says() { # a line of stderr, as a basic regular expression
-    grep -q -- "^$1\$" err.txt || fail "$last: does not say: $1"
-}
-
-size_of() { # width and height of a PNG
-    od -An -tu1 -j16 -N8 "$1" | awk '{print $3 * 256 + $4 "x" $7 * 256 + $8}'
-}
+# shellcheck source=tests/cli/case.sh
+. "$(dirname "$0")/case.sh"
+data=$second
 
 cp "$data"/sessions/one-drop.yaml .
 
@@ -44,19 +12,19 @@ for pair in "display:screen:one of auto, kms, window, headless, none" "rotate:45
     "mode:640:WxH or WxH@HZ, each side 1 to 8192 pixels" "mode:640x480@x:WxH or WxH@HZ, each side 1 to 8192 pixels"; do
     option=${pair%%:*} rest=${pair#*:}
     expect 2 run one-drop.yaml "--$option" "${rest%%:*}"
-    says "frond run: --$option: '${rest%%:*}' is not it; ${rest#*:}"
+    says_line "frond run: --$option: '${rest%%:*}' is not it; ${rest#*:}"
 done
 expect 1 run one-drop.yaml --display kms --card /dev/null
 grep -q '^frond run: kms: ' err.txt || fail "$last: no reason"
 
 # Live: so many frames, the last of them as a picture, turned or not.
 expect 0 run one-drop.yaml --display headless --mode 192x128 --ticks 40 --once --engine cpu --frames 3 --shot a.png
-says "frond: display: headless, 192x128; asked for"
-says "frond: engine cpu: asked for"
-says "frond: 3 frames presented, .*"
+says_line "frond: display: headless, 192x128; asked for"
+says_line "frond: engine cpu: asked for"
+says_line "frond: 3 frames presented, .*"
 [ "$(size_of a.png)" = 192x128 ] || fail "$last: the shot is $(size_of a.png)"
 expect 0 run one-drop.yaml --display headless --mode 192x128 --rotate 90 --ticks 20 --once --frames 2 --shot b.png
-says "frond: engine [cg]pu: .*"
+says_line "frond: engine [cg]pu: .*"
 [ "$(size_of b.png)" = 128x192 ] || fail "$last: the shot is $(size_of b.png)"
 expect 0 run one-drop.yaml --display headless --mode 160x120 --ticks 20 --once --frames 2 --xray --shot c.png
 [ "$(size_of c.png)" = 160x120 ] || fail "$last: the shot is $(size_of c.png)"
@@ -71,7 +39,7 @@ wait $!
 status=$?
 last="SIGTERM"
 [ "$status" -eq 0 ] || fail "$last: exit status $status"
-says "frond: [0-9]* frames presented, .*"
+says_line "frond: [0-9]* frames presented, .*"
 
 # The engine of the GPU paints the same picture as that of the CPU: of what is carved, a cell in a hundred at most differs.
 expect 0 render one-drop.yaml -o cpu.png --ticks 60 --stats cpu.json
@@ -86,5 +54,4 @@ fi
 expect 1 render one-drop.yaml -o e.png --ticks 2 --engine gpu --shaders "$work"
 grep -q 'no such shader source' err.txt || fail "$last: no reason"
 
-[ "$failures" -eq 0 ] || exit 1
-echo "frond runs live as it should"
+verdict

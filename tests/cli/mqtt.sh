@@ -2,43 +2,13 @@
 # A kiosk and a real broker (Mosquitto) on loopback, with TLS by a certificate authority that lives as long as this test:
 # status, heartbeat and last will; a scene and opening hours from afar; wrong credentials and certificates, and a broker
 # that goes and comes. mqtt.sh FROND
-set -u
-frond=$(realpath "$1") || exit 1
+# shellcheck source=tests/cli/case.sh
+. "$(dirname "$0")/case.sh"
 PATH=$PATH:/usr/sbin
 for program in mosquitto openssl; do
-    command -v "$program" >/dev/null || {
-        echo "SKIPPED: no $program"
-        exit 77
-    }
+    command -v "$program" >/dev/null || skip "no $program"
 done
-strings "$frond" 2>/dev/null | grep -q "built without MQTT" && {
-    echo "SKIPPED: built without MQTT"
-    exit 77
-}
-work=$(mktemp -d) || exit 1
-broker= running=
-trap '[ -z "$running$broker" ] || kill $running $broker 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-fail() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$1"
-    sed 's/^/  frond: /' err.txt
-    sed 's/^/  broker: /' broker.log | tail -n 12
-}
-
-# Waits for a line in a file, for at most so many tenths of a second.
-wait_for() {
-    left=$3
-    until grep -q -- "$1" "$2" 2>/dev/null; do
-        left=$((left - 1))
-        [ "$left" -gt 0 ] || {
-            fail "$2 never said: $1"
-            return 1
-        }
-        sleep 0.1
-    done
-}
+strings "$frond" 2>/dev/null | grep -q "built without MQTT" && skip "built without MQTT"
 
 # An authority, the broker's certificate and the kiosk's.
 authority() { # authority NAME
@@ -79,10 +49,7 @@ client() { # client PROGRAM ARGUMENTS: as the staff does it
     shift
     timeout 10 "$program" -h localhost -p "$port" --cafile ca.pem --cert hall.pem --key hall.key -u staff -P secret "$@"
 }
-if ! command -v mosquitto_sub >/dev/null; then
-    echo "SKIPPED: no mosquitto_sub: apt-get install mosquitto-clients"
-    exit 77
-fi
+command -v mosquitto_sub >/dev/null || skip "no mosquitto_sub: apt-get install mosquitto-clients"
 exhibit() { # exhibit CREDENTIALS CA
     cat >own.yaml.new <<YAML
 exhibit: 1
@@ -101,17 +68,17 @@ exhibit wrong.txt ca.pem
 timeout 100 "$frond" run own.yaml --display headless --mode 160x100 --engine cpu --full --rate 240 --state state >out.txt 2>err.txt </dev/null &
 running=$!
 # No broker yet: said, and nothing else comes of it.
-wait_for "broker localhost: cannot be reached" err.txt 100
+wait_for "broker localhost: cannot be reached" 100
 begin_broker
 # A wrong password, then an authority that has not signed it, then all is well: as the exhibit is edited.
-wait_for "broker localhost: refuses: " err.txt 100
+wait_for "broker localhost: refuses: " 100
 exhibit hall.txt other.pem
-wait_for "own.yaml: taken up" err.txt 100
-wait_for "broker localhost: .*TLS" err.txt 100
-wait_for "certificate verify failed\|unknown ca\|bad certificate" broker.log 50
+wait_for "own.yaml: taken up" 100
+wait_for "broker localhost: .*TLS" 100
+wait_for "certificate verify failed\|unknown ca\|bad certificate" 50 broker.log
 grep -q "broker localhost: connected" err.txt && fail "it talks to a broker that a stranger has signed"
 exhibit hall.txt ca.pem
-wait_for "broker localhost: connected" err.txt 150
+wait_for "broker localhost: connected" 150
 
 # Status and heartbeat.
 [ "$(client mosquitto_sub -t museum/frond/hall/alive -C 1)" = 1 ] || fail "it is not alive"
@@ -124,11 +91,11 @@ grep -q '"uptime_s"' again.json || fail "no heartbeat"
 
 # A scene for the group, and one that is not there; hours.
 client mosquitto_pub -t museum/frond/all/scene -m noon
-wait_for "says what is not known here, 'noon'" err.txt 50
+wait_for "says what is not known here, 'noon'" 50
 client mosquitto_pub -t museum/frond/all/scene -m dusk
-wait_for "museum/frond/all/scene says 'dusk'" err.txt 50
+wait_for "museum/frond/all/scene says 'dusk'" 50
 client mosquitto_pub -t museum/frond/hall/hours -m closed
-wait_for "visit [0-9]*: closed" err.txt 50
+wait_for "visit [0-9]*: closed" 50
 client mosquitto_pub -t museum/frond/hall/hours -m schedule
 left=40
 until [ "$(grep -c 'visit [0-9]*: attract' err.txt)" -ge 2 ]; do
@@ -152,7 +119,7 @@ done
 # The broker goes and comes.
 kill "$broker"
 wait "$broker" 2>/dev/null
-wait_for "broker localhost: lost" err.txt 50
+wait_for "broker localhost: lost" 50
 begin_broker
 left=100
 until [ "$(grep -c 'broker localhost: connected' err.txt)" -ge 2 ]; do
@@ -170,7 +137,7 @@ running=
 [ "$(client mosquitto_sub -t museum/frond/hall/alive -C 1)" = 0 ] || fail "it is still alive"
 timeout 60 "$frond" run own.yaml --display headless --mode 160x100 --engine cpu --state state >out.txt 2>err.txt </dev/null &
 running=$!
-wait_for "broker localhost: connected" err.txt 100
+wait_for "broker localhost: connected" 100
 sleep 0.3
 kill -KILL "$(pgrep -P "$running" -x frond)" 2>/dev/null || kill -KILL "$running"
 wait "$running" 2>/dev/null
@@ -178,4 +145,4 @@ running=
 sleep 0.5
 [ "$(client mosquitto_sub -t museum/frond/hall/alive -C 1)" = 0 ] || fail "a killed one has left no will"
 grep -q secret err.txt && fail "the log tells the password"
-[ "$failures" -eq 0 ]
+verdict

@@ -1,36 +1,8 @@
 #!/bin/sh
 # frond replay as people meet it: what it paints again, what it says, what it leaves behind. replay.sh FROND DATA
-set -u
-frond=$(realpath "$1") || exit 1
-data=$(realpath "$2") || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-fail() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$1"
-    sed 's/^/  stderr: /' err.txt
-}
-
-# expect STATUS ARGUMENTS...: runs frond without a terminal; leaves out.txt and err.txt.
-expect() {
-    wanted=$1
-    shift
-    last="frond $*"
-    "$frond" "$@" >out.txt 2>err.txt </dev/null
-    status=$?
-    [ "$status" -eq "$wanted" ] || fail "$last: exit status $status, not $wanted"
-}
-
-says() { # the whole of stderr
-    [ "$(cat err.txt)" = "$1" ] || fail "$last: stderr is not: $1"
-}
-
-size_of() { # of a PNG, from its header
-    od -An -j16 -N8 -tu1 "$1" | awk '{ print $3 * 256 + $4 "x" $7 * 256 + $8 }'
-}
+# shellcheck source=tests/cli/case.sh
+. "$(dirname "$0")/case.sh"
+data=$second
 
 # A session and its journal are one painting, to the bit.
 expect 0 render "$data/sessions/small.yaml" -o a.png --stats a.json --journal a.frond
@@ -139,4 +111,4 @@ else
 fi
 [ -z "$(find . -name '*.part*')" ] || fail "a part of a film is left"
 
-[ "$failures" -eq 0 ] || exit 1
+verdict

@@ -1,16 +1,8 @@
 #!/bin/sh
 # `frond report`: everything that it promises, and nothing about people. report.sh FROND EXHIBITS
-set -u
-frond=$(realpath "$1") || exit 1
-exhibits=$(realpath "$2") || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-fail() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$1"
-}
+# shellcheck source=tests/cli/case.sh
+. "$(dirname "$0")/case.sh"
+exhibits=$second
 
 # A machine with a telling name, where that can be had, an owner, and an exhibit in which both have left their traces.
 host=salle-sept
@@ -59,4 +51,5 @@ tar -xzf b.tar.gz && grep -q 'own.yaml:2:1: visti' frond-report/check.txt || fai
 grep -q '^frond report: nowhere/d.tar.gz: ' err.txt || fail "it does not say why"
 "$frond" report a b >out.txt 2>err.txt
 [ $? -eq 2 ] || fail "two exhibits"
-[ "$failures" -eq 0 ]
+
+verdict

@@ -1,20 +1,10 @@
 #!/bin/sh
 # The unit of the service, as it is installed below a prefix: systemd takes it, and finds little that it may do beyond its
 # work (`systemd-analyze security`, of 0 to 10; the bare unit has 9.6). unit.sh BUILD
-set -u
-build=$(realpath "$1") || exit 1
-command -v systemd-analyze >/dev/null || {
-    echo "SKIPPED: no systemd-analyze: apt-get install systemd"
-    exit 77
-}
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-failures=0
-fail() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$1"
-}
-
+# shellcheck source=tests/cli/case.sh
+. "$(dirname "$0")/case.sh"
+build=$frond
+command -v systemd-analyze >/dev/null || skip "no systemd-analyze: apt-get install systemd"
 cmake --install "$build" --prefix "$work/root" >"$work/log" 2>&1 || {
     cat "$work/log"
     exit 1
@@ -62,4 +52,4 @@ if command -v systemd-sysusers >/dev/null; then
         grep -q "^$group:.*frond" "$work/system/etc/group" || fail "frond is not in $group"
     done
 fi
-[ "$failures" -eq 0 ]
+verdict

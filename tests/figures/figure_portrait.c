@@ -17,7 +17,7 @@ struct board {
     float inked[SIDE * SIDE], work[SIDE * SIDE];
 };
 
-static void read_picture(struct script_picture *picture, struct board *board)
+static void read_picture(struct image *picture, struct board *board)
 {
     char folder[1200], path[1300];
     struct image image;
@@ -39,12 +39,12 @@ static void read_picture(struct script_picture *picture, struct board *board)
         figure_stop("portrait", "no memory, or no colours");
     }
     free(small);
-    *picture = (struct script_picture){image.width, image.height, image.channels, image.values}; /* owned now */
+    *picture = image;
 }
 
 static void grow(struct board *board)
 {
-    struct script_picture picture;
+    struct image picture;
     struct growth_def growth = growth_preset(METAPHOR_INK, false);
     const struct structure_def wide = {.detail = 512, .width = 1.6f, .fade = 6}, thin = {.detail = 512};
     growth.endpoints = 2600;
@@ -55,7 +55,7 @@ static void grow(struct board *board)
         !structure_raster(&picture, &growth, &wide, STRUCTURE_ALONG, SIDE, SIDE, board->along)) {
         figure_stop("portrait", "no memory");
     }
-    free(picture.values);
+    image_finish(&picture);
 }
 
 static struct action laid(enum action_verb verb, const float *raster, int channels)

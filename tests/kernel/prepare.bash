@@ -32,7 +32,7 @@ prepared() {
 prepare_obstacle() {
     local tool
     [[ $(uname -m) == x86_64 ]] || printf 'this machine is %s: the kernel and QEMU are for x86_64\n' "$(uname -m)"
-    for tool in apt-get:apt dpkg-deb:dpkg gcc-12:gcc-12 make:make objcopy:binutils python3:python3 xz:xz-utils \
+    for tool in apt-get:apt dpkg-deb:dpkg gcc:gcc make:make objcopy:binutils python3:python3 xz:xz-utils zstd:zstd \
         qemu-system-x86_64:qemu-system-x86; do
         command -v "${tool%:*}" >/dev/null || printf 'no %s: apt-get install %s\n' "${tool%:*}" "${tool#*:}"
     done
@@ -68,14 +68,15 @@ unpack() { # unpack FOLDER PACKAGE...
     done
 }
 
-# Sets `image`, `version` and `release` (6.1.0-N-amd64), and `packages` to all that is fetched.
+# Sets `image`, `version`, `release` (6.1.0-N-amd64), `kbuild` and `series`, and `packages` to all that is fetched.
 choose_kernel() {
     local found
     found=$(kernel_package) || return 1
     read -r image version <<<"$found"
     release=${image#linux-image-}
     series=${version%%.*}.$(cut -d . -f 2 <<<"$version")
-    packages=("$image" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "linux-kbuild-$series"
+    kbuild=$(apt-cache "${apt[@]}" depends "linux-headers-$release" | awk '/Depends: linux-kbuild/ { print $2; exit }')
+    packages=("$image" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "$kbuild"
         "linux-source-$series" busybox-static "${guest_packages[@]}")
 }
 # Fetches `packages` into the set being made, or sets `why` and fails.
@@ -100,15 +101,15 @@ fetch() {
 
 # An uncompressed kernel starts by QEMU's PVH entry at once; unpacking it under emulation costs three seconds a boot.
 extract_kernel() { # extract_kernel VMLINUZ VMLINUX
-    local magic tool at
-    for magic in '\xfd7zXZ\x00:xz -dc' '\x28\xb5\x2f\xfd:zstd -dc' '\x1f\x8b\x08:gzip -dc'; do
-        tool=${magic#*:}
-        while IFS=: read -r at _; do
-            # Ends in an error, by what follows the kernel in the file.
-            # shellcheck disable=SC2086 # command and option
-            tail -c "+$((at + 1))" "$1" | $tool >"$2" 2>/dev/null || true
-            [[ $(head -c 4 "$2" | tr -d '\177') == ELF ]] && return
-        done < <(LC_ALL=C grep -aboP "${magic%%:*}" "$1")
+    local sectors at length tool
+    # Where it lies, as the header says (the kernel's Documentation/arch/x86/boot.rst: setup_sects, payload_offset and
+    # payload_length). The last four bytes tell its size.
+    sectors=$(od -An -tu1 -j 497 -N 1 "$1")
+    read -r at length < <(od -An -tu4 -j 584 -N 8 "$1")
+    at=$((at + (sectors + 1) * 512))
+    for tool in xz zstd gzip; do
+        tail -c "+$((at + 1))" "$1" | head -c "$((length - 4))" | "$tool" -dc >"$2" 2>/dev/null || true
+        [[ $(head -c 4 "$2" | tr -d '\177') == ELF ]] && return
     done
     fail "no kernel found in $1"
 }
@@ -130,8 +131,8 @@ build_modules() {
     sed -i 's/obj-$(CONFIG_DRM_VKMS)/obj-m/' "$build/vkms/Makefile"
     printf 'obj-m := gpio-sim.o irq_sim.o vkms/\n' >"$build/Kbuild"
     sed -i "s#/usr/src/#$headers/usr/src/#g" "$headers/usr/src/linux-headers-$release/Makefile"
-    make -s -j 2 -C "$headers/usr/src/linux-headers-$release" "M=$build" modules >"$new/modules.log" 2>&1 ||
-        fail "the modules do not build: $(grep -m 3 error "$new/modules.log")"
+    make -s -j 2 -C "$headers/usr/src/linux-headers-$release" "M=$build" CONFIG_DEBUG_INFO_BTF_MODULES= modules \
+        >"$new/modules.log" 2>&1 || fail "the modules do not build: $(grep -m 3 -E 'error|not found' "$new/modules.log")"
 }
 
 # Prints the files of the modules named, each after those it depends on.
@@ -143,6 +144,11 @@ ordered_modules() { # ordered_modules FOLDER...
         name=${name%.ko}
         file[${name//-/_}]=$module
     done < <(find "$@" -name '*.ko')
+    while IFS= read -r module; do # parts of the kernel itself
+        name=${module##*/}
+        name=${name%.ko}
+        seen[${name//-/_}]=1
+    done < <(find "$@" -name modules.builtin -exec cat {} +)
     visit() {
         local wanted=${1//-/_} needs need
         [[ ! ${seen[$wanted]:-} ]] || return 0
@@ -169,7 +175,7 @@ pack_base() {
     local base=$new/base.d file kept
     mkdir -p "$base/bin" "$base/modules"
     cp "$new/busybox" "$base/bin/"
-    ordered_modules "$new/kernel/lib/modules/$release" "$new/build" >"$new/modules.list"
+    ordered_modules "$new/kernel" "$new/build" >"$new/modules.list"
     while IFS= read -r file; do
         objcopy --strip-debug "$file" "$base/modules/${file##*/}"
         kept=" ${modules_kept[*]/%/.ko} "
@@ -199,10 +205,10 @@ probe_acceleration() {
 make_parts() {
     local folder
     unpack "$new/kernel" "$image"
-    find "$new/kernel/lib/modules" -name '*.ko.xz' -exec xz -d {} + # newer kernels than 6.1 pack their modules
-    unpack "$new/headers" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "linux-kbuild-$series"
+    find "$new/kernel" -name '*.ko.xz' -exec xz -d {} + # newer kernels than 6.1 pack their modules
+    unpack "$new/headers" "linux-headers-$release" "linux-headers-${release%-amd64}-common" "$kbuild"
     unpack "$new/bin" busybox-static
-    mv "$new/bin/bin/busybox" "$new/busybox"
+    find "$new/bin" -type f -name busybox -exec mv {} "$new/busybox" \;
     extract_kernel "$new/kernel/boot/vmlinuz-$release" "$new/vmlinux"
     build_modules "$new/headers" "$new/build"
     pack_base

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "folder_case.h"
 #include "live_loop.h"
 #include "source_fake.h"
 
@@ -22,10 +23,10 @@ enum soak_source { SOAK_TOUCH, SOAK_PAD, SOAK_LINES, SOAK_SOURCES };
 enum soak_line { LINE_FINISH, LINE_STAFF, LINE_SWITCH }; /* numbers of the exhibit's buttons */
 
 struct soak {
-    char root[64];     /* a folder of its own */
-    char pictures[80]; /* in it */
-    char file[80];     /* the exhibit */
-    char disk[80];     /* mounted, where `disks`; the state is in it */
+    char root[FOLDER_CASE_PATH]; /* a folder of its own */
+    char pictures[80];           /* in it */
+    char file[80];               /* the exhibit */
+    char disk[80];               /* mounted, where `disks`; the state is in it */
     char state[96];
     bool disks; /* can be mounted, filled and made read-only */
     uint32_t random;

@@ -1,8 +1,6 @@
-#define _XOPEN_SOURCE 700 /* nftw */
 #include "soak.h"
 
 #include <errno.h>
-#include <ftw.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -196,8 +194,7 @@ static bool copy_sample(const char *sample, const char *folder, const char *name
 
 static bool make_folders(struct soak *soak)
 {
-    strcpy(soak->root, "/tmp/frond-soak-XXXXXX");
-    if (!mkdtemp(soak->root)) {
+    if (!folder_case_make(soak->root)) {
         return false;
     }
     snprintf(soak->pictures, sizeof soak->pictures, "%s/pictures", soak->root);
@@ -286,14 +283,6 @@ bool soak_turn(struct soak *soak)
     return good && !live_over(&soak->live);
 }
 
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
-}
-
 void soak_close(struct soak *soak)
 {
     if (soak->display) {
@@ -303,5 +292,5 @@ void soak_close(struct soak *soak)
     if (soak->disks) {
         disk_case_unmount(soak->disk);
     }
-    nftw(soak->root, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    folder_case_remove(soak->root);
 }

@@ -204,6 +204,37 @@ static void charges_are_what_is_written(void **state)
     bolt_order_finish(&order);
 }
 
+/* In a room of other cells a plant is the same to look at. */
+static void a_plant_keeps_its_size(void **state)
+{
+    (void)state;
+    static struct bolt_order order, finer;
+    order = bolt_order_default();
+    order.lsystem = 1 + LSYSTEM_VINE;
+    order.width = order.height = 256;
+    bolt_order_preset(&order);
+    finer = order;
+    finer.plant.growth.dimensions = 2;
+    bolt_order_respan(&finer, 512);
+    assert_true(finer.bolt.growth.span == 2 * order.bolt.growth.span);
+    assert_float_equal(finer.plant.growth.length, 2 * order.plant.growth.length, 1e-4);
+    assert_float_equal(finer.plant.growth.keep, 2 * order.plant.growth.keep, 1e-4);
+    assert_float_equal(finer.plant.growth.response, order.plant.growth.response / 2, 1e-5);
+    assert_float_equal(finer.bolt.charges[0].radius, 2 * order.bolt.charges[0].radius, 1e-4);
+    assert_float_equal(finer.bolt.seeds[0].from[1], 2 * order.bolt.seeds[0].from[1], 1e-4);
+    assert_float_equal(finer.bolt.look.trunk, order.bolt.look.trunk, 1e-5);
+    assert_int_equal(finer.plant.growth.dimensions, 2);
+    finer.bare = true;
+    bolt_order_respan(&finer, 1); /* every value is one that can be */
+    assert_true(keys_are_legal(lsystem_keys, &finer.plant.growth) && finer.bolt.growth.seed_count == 0);
+    finer.bare = false;
+    finer.lsystem = 0;
+    bolt_order_preset(&finer);
+    float radius = finer.bolt.growth.environment_radius;
+    bolt_order_respan(&finer, 3 * finer.bolt.growth.span);
+    assert_float_equal(finer.bolt.growth.environment_radius, 3 * radius, 1e-3);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -211,6 +242,7 @@ int main(void)
         cmocka_unit_test(lines_have_a_radius_to_each_place),
         cmocka_unit_test(a_path_for_each_branch),
         cmocka_unit_test(charges_are_what_is_written),
+        cmocka_unit_test(a_plant_keeps_its_size),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "device_class.h"
 #include "devices_text.h"
 #include "hid_usage.h"
 #include "source_fake.h"
@@ -145,9 +146,53 @@ static void what_is_watched_comes_with_a_binding_to_paste(void **state)
     inputs_destroy(inputs);
 }
 
+static int count_of(const struct key *keys, const char *name)
+{
+    int count = 0;
+    for (; keys->name; keys++) {
+        count += strcmp(keys->name, name) == 0;
+    }
+    return count;
+}
+
+/* Whoever adds a class of devices hears here what it lacks. */
+static void every_class_of_devices_is_whole(void **state)
+{
+    (void)state;
+    struct inputs_tables memory;
+    const struct inputs_table *tables = inputs_tables_of(&memory);
+    int bindings = key_count(memory.bindings), count = 0;
+    for (int i = 0; device_classes[i]; i++) {
+        const struct device_class *class = device_classes[i];
+        assert_true(class->source && class->noun && class->none && class->read && class->create);
+        for (const struct key *key = class->sections; key->name; key++) {
+            assert_int_equal(count_of(memory.top, key->name), 1);
+        }
+        for (const struct inputs_table *own = class->tables; own->name; own++) {
+            count = 0;
+            for (const struct inputs_table *table = tables; table->name; table++) {
+                count += strcmp(table->name, own->name) == 0;
+            }
+            assert_int_equal(count, 1);
+        }
+        for (const struct binding_source *from = class->sources; from->key.name; from++) {
+            struct event event = {.kind = EVENT_CONTROL, .source = from->source};
+            assert_true(from->read && from->name && key_is_section(&from->key));
+            assert_int_equal(!from->devices, !from->list);
+            assert_int_equal(count_of(memory.bindings, from->key.name), 1);
+            assert_true(action_find(from->key.name) == ACTION_VERBS); /* else a binding would not know which is meant */
+            assert_true(!from->action || !from->action(&event) || strchr(from->action(&event), '{'));
+        }
+    }
+    assert_int_equal(count_of(memory.top, "bindings"), 1); /* the last rows have found room */
+    assert_int_equal(count_of(memory.bindings, "length"), 1);
+    assert_true(bindings + ACTION_VERBS + DO_DIAL < INPUTS_ROWS); /* with the actions beside them */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_class_of_devices_is_whole),
         cmocka_unit_test(devices_are_listed_with_what_they_lack),
         cmocka_unit_test(what_is_watched_comes_with_a_binding_to_paste),
     };

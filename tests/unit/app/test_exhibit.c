@@ -485,19 +485,6 @@ static void every_row_is_whole(void **state)
     assert_int_equal(tables, 16);
 }
 
-static int make_folder(void **state)
-{
-    *state = (void *)(uintptr_t)exhibit_case_folder();
-    return 0;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    exhibit_case_remove();
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -519,5 +506,5 @@ int main(void)
         cmocka_unit_test(every_word_is_shipped),
         cmocka_unit_test(every_row_is_whole),
     };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+    return cmocka_run_group_tests(tests, exhibit_case_begin, exhibit_case_end);
 }

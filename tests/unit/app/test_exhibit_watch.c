@@ -121,6 +121,28 @@ static void a_session_of_its_own_counts_and_other_files_do_not(void **state)
 }
 
 /* A session that an opening grows from, and one inside that. */
+static void as_many_folders_count_as_sessions_are_in(void **state)
+{
+    (void)state;
+    static const char SESSION[] = "frond: 1\nactions: [{tick: 0, drop: {at: [0.5, 0.5], ink: turquoise}}]\n";
+    enum { FOLDERS = 24 };
+    struct place place = begin();
+    char text[1000] = "exhibit: 1\nsessions: [", name[40], folder[80], *report;
+    for (int i = 0; i < FOLDERS; i++) {
+        snprintf(folder, sizeof folder, "%s/%d", place.folder, i);
+        assert_int_equal(mkdir(folder, 0777), 0);
+        snprintf(name, sizeof name, "%d/play.yaml", i);
+        write_file(&place, name, SESSION);
+        size_t length = strlen(text);
+        snprintf(text + length, sizeof text - length, "%s%s", name, i + 1 < FOLDERS ? ", " : "]\n");
+    }
+    write_file(&place, "exhibit.yaml", text);
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_READ);
+    write_file(&place, name, "frond: 1\nticks: 77\n");
+    assert_int_equal(news(&place, SOON_MS, &report), EXHIBIT_READ);
+    end(&place);
+}
+
 static void files_of_openings_count(void **state)
 {
     (void)state;
@@ -172,6 +194,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_edit_is_read_and_a_wrong_one_told),
         cmocka_unit_test(a_session_of_its_own_counts_and_other_files_do_not),
+        cmocka_unit_test(as_many_folders_count_as_sessions_are_in),
         cmocka_unit_test(files_of_openings_count),
         cmocka_unit_test(what_was_missing_mends_it_when_it_comes),
     };

@@ -1,5 +1,4 @@
 /* The gallery on real folders and disks: what stays, what goes, and what is said. */
-#define _XOPEN_SOURCE 700 /* nftw */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +6,6 @@
 
 #include <cmocka.h>
 #include <dirent.h>
-#include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,43 +14,24 @@
 #include <unistd.h>
 
 #include "disk_case.h"
+#include "folder_case.h"
 #include "gallery.h"
 
 enum { WIDTH = 40, HEIGHT = 30, LIST = 32 };
 
 static const int64_t NOON = 1768478400; /* 2026-01-15 12:00 UTC */
 
-static char root[] = "/tmp/frond-gallery-XXXXXX";
 static bool disks; /* can be mounted */
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
-}
-
-static int enter_folder(void **state)
-{
-    (void)state;
-    strcpy(root, "/tmp/frond-gallery-XXXXXX");
-    return mkdtemp(root) && chdir(root) == 0 ? 0 : -1;
-}
 
 static int leave_folder(void **state)
 {
-    (void)state;
     disk_case_unmount("disk");
-    return chdir("/") == 0 ? nftw(root, remove_one, 16, FTW_DEPTH | FTW_PHYS) : -1;
+    return folder_case_leave(state);
 }
 
 static void put(const char *path, const char *text)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static struct gallery *open_gallery(const char *folder, int pictures, int64_t bytes)
@@ -417,17 +396,17 @@ static void a_folder_that_cannot_be(void **state)
 
 int main(void)
 {
-#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
+#define WITH_DISK(test) cmocka_unit_test_setup_teardown(test, folder_case_enter, leave_folder)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(names),
-        IN_FOLDER(the_oldest_go_first),
-        IN_FOLDER(bytes_have_a_cap),
-        IN_FOLDER(journal_and_plan_beside),
-        IN_FOLDER(what_was_kept_is_read),
-        IN_FOLDER(what_a_killed_writer_leaves),
-        IN_FOLDER(only_so_many_wait),
-        IN_FOLDER(a_disk_that_fills_up),
-        IN_FOLDER(a_folder_that_cannot_be),
+        WITH_DISK(the_oldest_go_first),
+        WITH_DISK(bytes_have_a_cap),
+        WITH_DISK(journal_and_plan_beside),
+        WITH_DISK(what_was_kept_is_read),
+        WITH_DISK(what_a_killed_writer_leaves),
+        WITH_DISK(only_so_many_wait),
+        WITH_DISK(a_disk_that_fills_up),
+        WITH_DISK(a_folder_that_cannot_be),
     };
     setenv("TZ", "UTC", 1);
     tzset();

@@ -207,34 +207,7 @@ static const struct script_case BAD[] = {
 static void errors_are_told_word_for_word(void **state)
 {
     (void)state;
-    int wrong = 0;
-    for (size_t i = 0; i < sizeof BAD / sizeof *BAD; i++) {
-        struct report report;
-        report_init(&report, "s.yaml");
-        struct exhibit *exhibit = exhibit_case_parse(BAD[i].text, BAD[i].size, &report);
-        char *text = report_text(&report);
-        if (exhibit || !text || strcmp(text, BAD[i].expected) != 0) {
-            print_error("%s:\nexpected:\n%sfound:\n%s", BAD[i].name, BAD[i].expected, text ? text : "nothing");
-            wrong++;
-        }
-        free(text);
-        report_finish(&report);
-    }
-    assert_int_equal(wrong, 0);
-}
-
-static int make_folder(void **state)
-{
-    (void)state;
-    exhibit_case_folder();
-    return 0;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    exhibit_case_remove();
-    return 0;
+    exhibit_case_told(BAD, sizeof BAD / sizeof *BAD);
 }
 
 /* Inputs of which nothing comes before somebody has been there; the file is good. */
@@ -278,5 +251,5 @@ int main(void)
         cmocka_unit_test(what_nothing_comes_of_is_told),
         cmocka_unit_test(errors_are_told_word_for_word),
     };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+    return cmocka_run_group_tests(tests, exhibit_case_begin, exhibit_case_end);
 }

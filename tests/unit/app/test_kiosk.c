@@ -223,6 +223,41 @@ static void at_night_it_is_dark_and_a_waking_touch_does_not_paint(void **state)
     hall_close(hall);
 }
 
+/* The buttons of a controller are known from their first press on; where a throttle stands is not what somebody did. */
+static void the_first_press_of_a_controller_wakes(void **state)
+{
+    (void)state;
+    setenv("TZ", "UTC", 1);
+    tzset();
+    char yaml[2000];
+    snprintf(yaml, sizeof yaml, "%s%s", PLAIN,
+             "schedule: [{days: mon-sun, open: \"10:00\", close: \"18:00\"}]\nwake: 5\n");
+    struct hall *hall = hall_open(yaml);
+    struct event throttle = {.kind = EVENT_CONTROL, .source = SOURCE_HID, .device = 1, .control = 7, .value = 0.9f};
+    struct event button = {.kind = EVENT_CONTROL, .source = SOURCE_HID, .device = 1, .value = 1};
+    struct event left = {.kind = EVENT_LEFT, .source = SOURCE_HID, .device = 1};
+    hall->wall = 1800000000 / 86400 * 86400 + 20 * 3600;
+    hall_wait(hall, 5);
+    assert_true(hall->dark);
+    hall_feel(hall, &throttle);
+    hall_wait(hall, 1);
+    assert_true(hall->dark);
+    for (int pad = 0; pad < 3; pad++) { /* each with more buttons than are left to be known */
+        for (int i = 0; i < KIOSK_AXES; i++) {
+            button.control = 0x90001u + (uint32_t)i;
+            button.value = 1;
+            hall_feel(hall, &button);
+            assert_false(hall->dark);
+            button.value = 0;
+            hall_feel(hall, &button);
+        }
+        hall_wait(hall, 15 * 60);
+        assert_true(hall->dark);
+        hall_feel(hall, &left);
+    }
+    hall_close(hall);
+}
+
 /* That keep the palette out of their way. */
 static int hands(const struct hall *hall)
 {
@@ -450,6 +485,7 @@ int main(void)
         cmocka_unit_test(a_visitor_finishes_is_thanked_and_the_next_starts_white),
         cmocka_unit_test(staff_look_at_the_status_and_leave),
         cmocka_unit_test(at_night_it_is_dark_and_a_waking_touch_does_not_paint),
+        cmocka_unit_test(the_first_press_of_a_controller_wakes),
         cmocka_unit_test(what_is_let_go_in_the_dark_is_not_stuck_in_the_morning),
         cmocka_unit_test(what_is_held_while_the_inputs_change_is_let_go),
         cmocka_unit_test(one_switch_paints_where_the_lines_cross),

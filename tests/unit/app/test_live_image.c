@@ -115,7 +115,7 @@ static void draw(struct place *place)
         display_wait(place->display, 20);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, display_framebuffer(place->display));
-    glClearColor(GROUND[0] / 255.0f, GROUND[1] / 255.0f, GROUND[2] / 255.0f, 1);
+    glClearColor((float)GROUND[0] / 255, (float)GROUND[1] / 255, (float)GROUND[2] / 255, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     assert_true(live_scene_draw(&place->draw, place->display, &error));
     display_end(place->display);

@@ -1,5 +1,4 @@
 /* A kiosk with a scene of trees, from a finger on the glass to what is seen, through a kill and a lost GPU. */
-#define _XOPEN_SOURCE 700 /* nftw */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +7,6 @@
 #include <cmocka.h>
 
 #include <errno.h>
-#include <ftw.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,6 +17,7 @@
 
 #include "bench.h"
 #include "display_source.h"
+#include "folder_case.h"
 #include "live_loop.h"
 #include "patience.h"
 #include "pictures.h"
@@ -37,7 +36,7 @@ static const char EXHIBIT[] = "exhibit: 1\n"
 static const double KEPT_S = 3.5; /* after which what is done is on the disk: keep_def.flush_s, and slack */
 
 struct place {
-    char folder[64], file[100], state[100];
+    char folder[FOLDER_CASE_PATH], file[100], state[100];
     struct display *display;
     struct live_def def;
     struct live live;
@@ -54,8 +53,7 @@ static bool put(const char *path, const void *bytes, size_t size)
 static void make_folder(struct place *place)
 {
     char bytes[8192], path[200];
-    strcpy(place->folder, "/tmp/frond-trees-XXXXXX");
-    assert_non_null(mkdtemp(place->folder));
+    assert_true(folder_case_make(place->folder));
     snprintf(place->file, sizeof place->file, "%s/trees.yaml", place->folder);
     snprintf(place->state, sizeof place->state, "%s/state", place->folder);
     snprintf(path, sizeof path, "%s/leaf.png", place->folder);
@@ -65,14 +63,6 @@ static void make_folder(struct place *place)
     fclose(file);
     assert_true(put(path, bytes, size) && put(place->file, EXHIBIT, sizeof EXHIBIT - 1));
     assert_int_equal(mkdir(place->state, 0777), 0);
-}
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
 }
 
 static bool open_place(struct place *place)
@@ -248,7 +238,7 @@ static void a_visit_that_is_killed_goes_on(void **state)
     the_plate_is_in_the_picture(&place);
     the_gpu_is_lost(&place);
     close_place(&place);
-    nftw(place.folder, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    assert_true(folder_case_remove(place.folder));
 }
 
 int main(void)

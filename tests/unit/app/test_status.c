@@ -192,8 +192,10 @@ static void metrics_are_read(void **state)
     assert_value(&metrics, "frond_gallery_pictures", 8);
     assert_value(&metrics, "frond_exhibit_errors_total", 2);
     assert_value(&metrics, "frond_exhibit_wrong", 1);
-    assert_value(&metrics, "frond_device_works{device=\"0\",class=\"touchscreen\",name=\"A \\\"quoted\\\\\\\" name \"}", 1);
-    assert_value(&metrics, "frond_device_works{device=\"1\",class=\"touchscreen\",name=\"A \\\"quoted\\\\\\\" name \"}", 0);
+    assert_value(&metrics, "frond_device_works{device=\"0\",class=\"touchscreen\",name=\"A \\\"quoted\\\\\\\" name \"}",
+                 1);
+    assert_value(&metrics, "frond_device_works{device=\"1\",class=\"touchscreen\",name=\"A \\\"quoted\\\\\\\" name \"}",
+                 0);
 }
 
 static void what_is_not_known_has_no_sample(void **state)

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "motif.h"
+#include "pictures.h"
 #include "structure.h"
 
 enum { SIDE = 128, WIDE = 160, HIGH = 100, LEFT = (WIDE - HIGH) / 2 };
@@ -35,8 +36,9 @@ static struct growth_def growth_of_it(void)
 static float *make(const struct growth_def *growth, const struct structure_def *def, enum structure_kind kind)
 {
     struct script_picture picture = portrait();
+    const struct image image = pictures_image(&picture);
     float *values = calloc((size_t)2 * WIDE * HIGH, sizeof *values);
-    assert_true(structure_raster(&picture, growth, def, kind, WIDE, HIGH, values));
+    assert_true(structure_raster(&image, growth, def, kind, WIDE, HIGH, values));
     free(picture.values);
     return values;
 }

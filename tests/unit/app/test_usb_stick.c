@@ -1,6 +1,5 @@
 /* A stick that comes and goes, in made-up lists of mounts and, where that is permitted, in the kernel's; and the
  * gallery copied to it. */
-#define _XOPEN_SOURCE 700 /* nftw */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +7,7 @@
 
 #include <cmocka.h>
 #include <dirent.h>
-#include <ftw.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,42 +15,28 @@
 #include <unistd.h>
 
 #include "disk_case.h"
+#include "folder_case.h"
 #include "gallery_export.h"
 #include "usb_stick.h"
 
 enum { PATH_SIZE = 200 };
 
-static char root[] = "/tmp/frond-stick-XXXXXX";
 static bool disks; /* can be mounted */
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
-}
 
 static int enter_folder(void **state)
 {
-    (void)state;
-    strcpy(root, "/tmp/frond-stick-XXXXXX");
-    return mkdtemp(root) && chdir(root) == 0 && mkdir("stick", 0777) == 0 && mkdir("g", 0777) == 0 ? 0 : -1;
+    return folder_case_enter(state) == 0 && mkdir("stick", 0777) == 0 && mkdir("g", 0777) == 0 ? 0 : -1;
 }
 
 static int leave_folder(void **state)
 {
-    (void)state;
     disk_case_unmount("stick");
-    return chdir("/") == 0 ? nftw(root, remove_one, 16, FTW_DEPTH | FTW_PHYS) : -1;
+    return folder_case_leave(state);
 }
 
 static void put(const char *path, const char *text)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 #define OTHERS                                                                                                         \
@@ -95,7 +80,8 @@ static void the_kernels_mounts(void **state)
     if (!disks) {
         skip();
     }
-    snprintf(folder, sizeof folder, "%s/stick", root);
+    assert_non_null(getcwd(folder, sizeof folder - sizeof "/stick"));
+    strcat(folder, "/stick");
     struct usb_stick *stick = usb_stick_create(folder, NULL);
     assert_non_null(stick);
     assert_int_equal(usb_stick_look(stick), USB_STICK_SAME);
@@ -246,15 +232,15 @@ static void broken_off(void **state)
 
 int main(void)
 {
-#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
+#define WITH_STICK(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(lists_of_mounts),
-        IN_FOLDER(the_kernels_mounts),
-        IN_FOLDER(what_is_new_is_copied),
-        IN_FOLDER(only_where_staff_want_it),
-        IN_FOLDER(a_stick_that_is_full),
-        IN_FOLDER(a_gallery_that_is_not_there),
-        IN_FOLDER(broken_off),
+        WITH_STICK(lists_of_mounts),
+        WITH_STICK(the_kernels_mounts),
+        WITH_STICK(what_is_new_is_copied),
+        WITH_STICK(only_where_staff_want_it),
+        WITH_STICK(a_stick_that_is_full),
+        WITH_STICK(a_gallery_that_is_not_there),
+        WITH_STICK(broken_off),
     };
     disks = disk_case_isolate();
     return cmocka_run_group_tests(tests, NULL, NULL);

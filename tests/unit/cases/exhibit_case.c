@@ -1,7 +1,5 @@
-#define _XOPEN_SOURCE 700 /* nftw */
 #include "exhibit_case.h"
 
-#include <ftw.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -14,18 +12,17 @@
 #include <cmocka.h>
 
 #include "beneath.h"
+#include "folder_case.h"
+#include "script_case.h"
 #include "yaml.h"
 
-static char folder[64];
+static char folder[FOLDER_CASE_PATH];
 
 static void put(const char *name, const char *text)
 {
     char path[256];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static void put_folder(const char *name)
@@ -39,8 +36,7 @@ const char *exhibit_case_folder(void)
 {
     char name[96];
     char *huge = malloc(YAML_SIZE_MAX + 2);
-    snprintf(folder, sizeof folder, "/tmp/frond-exhibit-XXXXXX");
-    assert_non_null(mkdtemp(folder));
+    assert_true(folder_case_make(folder));
     assert_non_null(huge);
     memset(huge, '#', YAML_SIZE_MAX + 1);
     huge[YAML_SIZE_MAX + 1] = '\0';
@@ -66,17 +62,22 @@ const char *exhibit_case_folder(void)
     return folder;
 }
 
-static int remove_one(const char *path, const struct stat *status, int kind, struct FTW *at)
-{
-    (void)status;
-    (void)kind;
-    (void)at;
-    return remove(path);
-}
-
 void exhibit_case_remove(void)
 {
-    nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+    assert_true(folder_case_remove(folder));
+}
+
+int exhibit_case_begin(void **state)
+{
+    *state = (void *)(uintptr_t)exhibit_case_folder();
+    return 0;
+}
+
+int exhibit_case_end(void **state)
+{
+    (void)state;
+    exhibit_case_remove();
+    return 0;
 }
 
 /* Two by two: dark on the left, light on the right. */
@@ -121,4 +122,23 @@ struct exhibit *exhibit_case_good(const char *text)
     assert_true(report_empty(&report));
     report_finish(&report);
     return exhibit;
+}
+
+void exhibit_case_told(const struct script_case *cases, size_t count)
+{
+    int wrong = 0;
+    for (size_t i = 0; i < count; i++) {
+        struct report report;
+        report_init(&report, "s.yaml");
+        struct exhibit *exhibit = exhibit_case_parse(cases[i].text, cases[i].size, &report);
+        char *told = report_text(&report);
+        if (exhibit || !told || strcmp(told, cases[i].expected) != 0) {
+            print_error("%s:\nexpected:\n%sfound:\n%s", cases[i].name, cases[i].expected, told ? told : "nothing");
+            wrong++;
+        }
+        free(told);
+        exhibit_destroy(exhibit);
+        report_finish(&report);
+    }
+    assert_int_equal(wrong, 0);
 }

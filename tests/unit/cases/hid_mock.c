@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <umockdev.h>
+#include "bed_case.h"
 
 struct node {
     bool present, broken, stalled;
@@ -254,30 +254,12 @@ void hid_mock_stall(struct hid_mock *mock, int node, bool stalled)
 
 void hid_mock_forbid(struct hid_mock *mock, int number, bool forbidden)
 {
-    char path[300];
-    char *root = umockdev_testbed_get_root_dir(mock->bed);
-    snprintf(path, sizeof path, "%s/dev/hidraw%d", root, number);
-    g_free(root);
-    if (chmod(path, forbidden ? 0 : 0666) != 0) {
-        perror(path);
-        abort();
-    }
+    bed_case_permit(mock->bed, "hidraw", number, forbidden ? 0 : 0666);
 }
 
 void hid_mock_open_to_all(struct hid_mock *mock)
 {
-    char path[300];
-    char *root = umockdev_testbed_get_root_dir(mock->bed);
-    bool good = chmod(root, 0777) == 0;
-    for (int i = 0; i < mock->count; i++) {
-        snprintf(path, sizeof path, "%s/ioctl/dev/hidraw%d", root, i);
-        good = chmod(path, 0777) == 0 && good;
-    }
-    if (!good) {
-        perror(root);
-        abort();
-    }
-    g_free(root);
+    bed_case_open_to_all(mock->bed, "hidraw", mock->count);
 }
 
 size_t hid_mock_written(struct hid_mock *mock, int number, uint8_t *bytes, size_t most, int *count)

@@ -26,10 +26,8 @@ struct panel_case panel_case_make(int width, int height, int rotation, bool flip
     panel.display = gpu_display();
     panel.texture = texture_create(
         &(struct texture_def){TEXTURE_RGBA8, TEXTURE_NEAREST, panel.panel_width, panel.panel_height, 0, false});
-    glGenFramebuffers(1, &panel.framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, panel.framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, panel.texture, 0);
-    assert_int_equal(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    panel.framebuffer = texture_framebuffer(panel.texture);
+    assert_int_not_equal(panel.framebuffer, 0);
     return panel;
 }
 

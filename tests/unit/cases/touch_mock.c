@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <linux/input.h>
 #include <pthread.h>
-#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +13,8 @@
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
-#include <umockdev.h>
+#include "bed_case.h"
+#include "disk_case.h"
 
 enum { MAJOR = 13, FIRST_MINOR = 64, FINGERS = 10 };
 
@@ -62,28 +62,10 @@ int fstat64(int fd, struct stat64 *status)
     return 0;
 }
 
-static bool put(const char *path, const char *format, unsigned id)
-{
-    FILE *file = fopen(path, "w");
-    bool good = file && fprintf(file, format, id) > 0;
-    return file && fclose(file) == 0 && good;
-}
-
-/* As nobody in particular a process may be root of a namespace of its own. */
-static bool become_root(void)
-{
-    unsigned user = getuid(), group = getgid();
-    return unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0 && put("/proc/self/uid_map", "0 %u 1\n", user) &&
-           put("/proc/self/setgroups", "deny\n", 0) && put("/proc/self/gid_map", "0 %u 1\n", group);
-}
-
 bool touch_mock_isolate(void)
 {
-    if (unshare(CLONE_NEWNS) != 0 && !become_root()) {
-        return false;
-    }
-    return mount(NULL, "/", NULL, MS_REC | MS_PRIVATE, NULL) == 0 && mount("run", "/run", "tmpfs", 0, NULL) == 0 &&
-           mkdir("/run/udev", 0755) == 0 && mkdir("/run/udev/data", 0755) == 0;
+    return disk_case_isolate() && mount("run", "/run", "tmpfs", 0, NULL) == 0 && mkdir("/run/udev", 0755) == 0 &&
+           mkdir("/run/udev/data", 0755) == 0;
 }
 
 /* ---- What the kernel would answer ---- */
@@ -338,28 +320,12 @@ void touch_mock_unplug(struct touch_mock *mock, int number)
 
 void touch_mock_forbid(struct touch_mock *mock, int number, unsigned mode)
 {
-    char path[300];
-    real_path(mock, number, path, sizeof path);
-    if (chmod(path, mode) != 0) {
-        perror(path);
-        abort();
-    }
+    bed_case_permit(mock->bed, "input/event", number, mode);
 }
 
 void touch_mock_open_to_all(struct touch_mock *mock)
 {
-    char path[300];
-    char *root = umockdev_testbed_get_root_dir(mock->bed);
-    bool good = chmod(root, 0777) == 0;
-    for (int i = 0; i < mock->count; i++) {
-        snprintf(path, sizeof path, "%s/ioctl/dev/input/event%d", root, i);
-        good = chmod(path, 0777) == 0 && good;
-    }
-    if (!good) {
-        perror(root);
-        abort();
-    }
-    g_free(root);
+    bed_case_open_to_all(mock->bed, "input/event", mock->count);
 }
 
 void touch_mock_report(struct touch_mock *mock, int number, unsigned long time_us,

@@ -17,25 +17,7 @@
 #include <unistd.h>
 
 #include "file.h"
-
-static int enter_folder(void **state)
-{
-    (void)state;
-    char folder[] = "/tmp/frond-file-XXXXXX";
-    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
-}
-
-static int leave_folder(void **state)
-{
-    (void)state;
-    char folder[256];
-    DIR *all = opendir(".");
-    for (struct dirent *entry; (entry = readdir(all));) {
-        remove(entry->d_name);
-    }
-    closedir(all);
-    return getcwd(folder, sizeof folder) && rmdir(folder) == 0 ? 0 : -1;
-}
+#include "folder_case.h"
 
 static int entries(void)
 {
@@ -153,8 +135,6 @@ static void shows_paths_on_one_line(void **state)
     assert_string_equal(error.text, "b: the disk is full");
     assert_false(file_fail(NULL, "b", "no one listens"));
 }
-
-#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
 
 int main(void)
 {

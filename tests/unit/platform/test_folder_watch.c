@@ -7,19 +7,20 @@
 
 #include <cmocka.h>
 #include <fcntl.h>
-#include <ftw.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "folder_watch.h"
 
 enum { MS = 1000, PATH_SIZE = 256 };
 
 struct bench {
-    char root[64];
+    char root[FOLDER_CASE_PATH];
     struct folder_watch *watch;
     uint64_t now_us;
 };
@@ -29,34 +30,22 @@ static int open_bench(void **state)
     struct bench *bench = calloc(1, sizeof *bench);
     *state = bench;
     bench->now_us = 5000000;
-    strcpy(bench->root, "/tmp/frond-watch-XXXXXX");
     bench->watch = folder_watch_create();
-    return bench->watch && mkdtemp(bench->root) && chdir(bench->root) == 0 ? 0 : -1;
-}
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
+    return bench->watch && folder_case_make(bench->root) && chdir(bench->root) == 0 ? 0 : -1;
 }
 
 static int close_bench(void **state)
 {
     struct bench *bench = *state;
     folder_watch_destroy(bench->watch);
-    int status = nftw(bench->root, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    bool removed = folder_case_remove(bench->root);
     free(bench);
-    return status;
+    return removed ? 0 : -1;
 }
 
 static void put(const char *path, const char *text)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static void watch_folders(struct bench *bench, const char *first, const char *second)

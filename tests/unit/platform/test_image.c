@@ -16,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "image.h"
 #include "image_format.h"
 
@@ -28,25 +29,6 @@ static struct image_def def(void)
     struct image_def def = image_default_def();
     def.helper = IMAGE_HELPER;
     return def;
-}
-
-static int enter_folder(void **state)
-{
-    (void)state;
-    char folder[] = "/tmp/frond-image-XXXXXX";
-    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
-}
-
-static int leave_folder(void **state)
-{
-    (void)state;
-    char folder[256];
-    DIR *all = opendir(".");
-    for (struct dirent *entry; (entry = readdir(all));) {
-        remove(entry->d_name);
-    }
-    closedir(all);
-    return getcwd(folder, sizeof folder) && rmdir(folder) == 0 ? 0 : -1;
 }
 
 static void make_file(const char *path, const void *bytes, size_t size)
@@ -441,8 +423,6 @@ static void gives_helpers_nothing_else(void **state)
     close(output);
     assert_true(read);
 }
-
-#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
 
 int main(void)
 {

@@ -7,9 +7,9 @@
 #include <cmocka.h>
 #include <string.h>
 
+#include "display_pace.h"
 #include "kms_choice.h"
 #include "kms_fake.h"
-#include "kms_pace.h"
 
 static const struct kms_wish ANY = {0};
 
@@ -165,28 +165,28 @@ static void a_crtc_that_feeds_it_or_nothing_else(void **state)
     assert_int_equal(kms_choose_crtc(&fake.wires, connector), 0);
 }
 
-static uint64_t missed(struct kms_pace *pace, uint32_t sequence, uint64_t time_us)
+static uint64_t missed(struct display_pace *pace, uint32_t sequence, uint64_t time_us)
 {
-    return kms_pace_missed(pace, &(struct kms_flip){.sequence = sequence, .time_us = time_us}, 60000);
+    return display_pace_missed(pace, sequence, time_us, 60000);
 }
 
 static void missed_frames_are_counted_by_the_kernel_or_the_clock(void **state)
 {
     (void)state;
-    struct kms_pace pace = {0};
+    struct display_pace pace = {0};
     assert_int_equal(missed(&pace, 1000, 1000000), 0); /* the first */
     assert_int_equal(missed(&pace, 1001, 1016667), 0);
     assert_int_equal(missed(&pace, 1004, 1066667), 2);
     /* A counter that was set anew: by the clock. */
     assert_int_equal(missed(&pace, UINT32_MAX, 1100000), 1);
     assert_int_equal(missed(&pace, 2, 1150000), 2); /* wraps */
-    kms_pace_stop(&pace);
+    display_pace_stop(&pace);
     assert_int_equal(missed(&pace, 500, 9000000), 0);
     assert_int_equal(missed(&pace, 0, 9016667), 0); /* a driver that does not count */
     assert_int_equal(missed(&pace, 0, 9033333), 0);
     assert_int_equal(missed(&pace, 0, 9083333), 2);
     assert_int_equal(missed(&pace, 0, 9083333), 0);
-    assert_int_equal(kms_pace_missed(&pace, &(struct kms_flip){.time_us = 9999999}, 0), 0);
+    assert_int_equal(display_pace_missed(&pace, 0, 9999999, 0), 0);
 }
 
 int main(void)

@@ -64,7 +64,8 @@ static const char *heard(struct manager *manager)
 
 static void turn(struct service *service, uint64_t frames, bool shown, const char *status, uint64_t now_us)
 {
-    service_turn(service, &(struct service_turn){frames, shown, status}, now_us);
+    service_turn(service, &(struct service_turn){.frames = frames, .rests = true, .shown = shown, .status = status},
+                 now_us);
 }
 
 static void ready_is_the_first_frame(void **state)
@@ -102,6 +103,31 @@ static void only_frames_feed_the_watchdog(void **state)
     }
     assert_string_equal(heard(&manager), "");
     turn(service, 121, true, NULL, 60 * S);
+    assert_string_equal(heard(&manager), "[WATCHDOG=1]");
+    service_destroy(service);
+    leave(&manager);
+}
+
+static void whoever_paints_is_to_turn_or_rest(void **state)
+{
+    struct manager manager;
+    (void)state;
+    listen_to(&manager, "10000000");
+    struct service *service = service_create();
+    struct service_turn turn = {.frames = 1, .turns = 1, .shown = true};
+    service_turn(service, &turn, 0);
+    assert_string_equal(heard(&manager), "[READY=1]");
+    for (uint64_t s = 1; s < 60; s++) { /* frames go on, and nobody paints */
+        turn.frames++;
+        service_turn(service, &turn, s * S);
+    }
+    assert_string_equal(heard(&manager), "");
+    turn.turns++;
+    service_turn(service, &turn, 60 * S);
+    assert_string_equal(heard(&manager), "[WATCHDOG=1]");
+    turn.rests = true;
+    turn.frames++;
+    service_turn(service, &turn, 63 * S);
     assert_string_equal(heard(&manager), "[WATCHDOG=1]");
     service_destroy(service);
     leave(&manager);
@@ -190,9 +216,13 @@ static void nobody_listens(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ready_is_the_first_frame),           cmocka_unit_test(only_frames_feed_the_watchdog),
-        cmocka_unit_test(without_a_screen_the_loop_does),     cmocka_unit_test(without_a_watchdog_none_is_fed),
-        cmocka_unit_test(the_status_is_said_when_it_changes), cmocka_unit_test(nobody_listens),
+        cmocka_unit_test(ready_is_the_first_frame),
+        cmocka_unit_test(only_frames_feed_the_watchdog),
+        cmocka_unit_test(whoever_paints_is_to_turn_or_rest),
+        cmocka_unit_test(without_a_screen_the_loop_does),
+        cmocka_unit_test(without_a_watchdog_none_is_fed),
+        cmocka_unit_test(the_status_is_said_when_it_changes),
+        cmocka_unit_test(nobody_listens),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

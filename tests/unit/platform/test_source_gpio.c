@@ -1,5 +1,5 @@
-/* Buttons, encoders and lamps on chips that are made up: what comes out when hands, programs and cables do their worst.
- */
+/* Buttons, encoders and lamps on chips that are made up: what comes out of what hands do. Chips that come and go:
+ * test_source_gpio_chips.c. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,114 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gpio_fake.h"
+#include "gpio_case.h"
 #include "source_gpio.h"
-
-enum { RED, GREEN, DIAL, BUTTONS = 2 };
-
-/* Chip "board": 4 red, 5 the dial's A, 6 its B, 7 a lamp. Any chip with a line GREEN: green. */
-static const struct gpio_button_def buttons[BUTTONS] = {
-    {.name = "red",
-     .line = {.chip = "board", .offset = 4, .bias = GPIO_BIAS_PULL_UP, .active_low = true},
-     .debounce_ms = 5},
-    {.name = "green", .line = {.line = "GREEN"}},
-};
-static const struct gpio_encoder_def dial = {
-    .name = "dial", .a = {.chip = "board", .offset = 5}, .b = {.chip = "board", .offset = 6}, .steps = 4};
-static const struct gpio_lamp_def lamp = {.name = "glow", .line = {.chip = "board", .offset = 7}};
-static const struct source_gpio_def def = {.buttons = buttons,
-                                           .button_count = BUTTONS,
-                                           .encoders = &dial,
-                                           .encoder_count = 1,
-                                           .lamps = &lamp,
-                                           .lamp_count = 1};
-
-struct fixture {
-    struct gpio_fake fake;
-    struct source *source;
-};
-
-static void plug_board(struct gpio_fake *fake, int number)
-{
-    struct fake_chip *chip = fake_plug(fake, number, "board", 8);
-    snprintf(chip->line[1].name, GPIO_NAME, "GREEN");
-}
-
-static struct source *create(struct gpio_fake *fake, const struct source_gpio_def *wanted)
-{
-    struct device_error error;
-    struct source *source = source_gpio_create_on(wanted, &gpio_fake_ops, fake, &error);
-    assert_non_null(source);
-    return source;
-}
-
-static int start(void **state)
-{
-    struct fixture *fixture = calloc(1, sizeof *fixture);
-    fixture->fake.now_us = 50000000;
-    plug_board(&fixture->fake, 2);
-    fixture->source = create(&fixture->fake, &def);
-    *state = fixture;
-    struct event event;
-    char line[200];
-    bool arrived = fixture->source->ops->event(fixture->source, &event) && event.kind == EVENT_ARRIVED;
-    return arrived && fixture->source->ops->log(fixture->source, line, sizeof line) ? 0 : -1;
-}
-
-static int finish(void **state)
-{
-    struct fixture *fixture = *state;
-    source_destroy(fixture->source);
-    bool clean = fixture->fake.open_chips == 0 && fixture->fake.held_lines == 0;
-    free(fixture);
-    return clean ? 0 : -1;
-}
-
-/* The loop of the application, which sleeps as long as it is told to, or until there is something to read. */
-static void pass(struct fixture *fixture, uint64_t us)
-{
-    struct source *source = fixture->source;
-    uint64_t end = fixture->fake.now_us + us;
-    source->ops->dispatch(source);
-    while (fixture->fake.now_us < end) {
-        int wait = source->ops->timeout_ms(source);
-        uint64_t slept = wait < 0 ? end - fixture->fake.now_us : (uint64_t)wait * 1000;
-        assert_int_not_equal(wait, 0); /* it is not busy */
-        fixture->fake.now_us = fixture->fake.now_us + slept < end ? fixture->fake.now_us + slept : end;
-        source->ops->dispatch(source);
-    }
-}
-
-static void level(struct fixture *fixture, int offset, bool active)
-{
-    fake_level(&fixture->fake, 2, offset, active);
-}
-
-static struct event expect(struct fixture *fixture, enum event_kind kind, int control, float value)
-{
-    struct event event = {.kind = EVENT_NONE};
-    assert_true(fixture->source->ops->event(fixture->source, &event));
-    assert_int_equal(event.kind, kind);
-    assert_int_equal(event.source, SOURCE_GPIO);
-    assert_int_equal(event.control, control);
-    assert_float_equal(event.value, value, 0);
-    assert_int_equal(event.relative, control == DIAL);
-    return event;
-}
-
-static void expect_nothing(struct fixture *fixture)
-{
-    struct event event;
-    assert_false(fixture->source->ops->event(fixture->source, &event));
-}
-
-static void expect_log(struct fixture *fixture, const char *wanted)
-{
-    char line[200] = "";
-    bool there = fixture->source->ops->log(fixture->source, line, sizeof line);
-    assert_string_equal(line, wanted);
-    assert_true(there || !*wanted);
-}
 
 static void presses_have_the_times_of_the_first_contact(void **state)
 {
@@ -161,7 +55,7 @@ static void where_the_kernel_debounces_it_is_not_done_twice(void **state)
     (void)state;
     struct fixture fixture = {.fake.now_us = 1000, .fake.debounces = true};
     plug_board(&fixture.fake, 2);
-    fixture.source = create(&fixture.fake, &def);
+    fixture.source = create(&fixture.fake, &gpio_case_def);
     expect(&fixture, EVENT_ARRIVED, 0, 0);
     level(&fixture, 4, true);
     fixture.source->ops->dispatch(fixture.source);
@@ -177,7 +71,7 @@ static void a_button_held_at_the_start_is_said_and_is_no_press(void **state)
     plug_board(&fixture.fake, 2);
     level(&fixture, 4, true);
     level(&fixture, 1, true);
-    fixture.source = create(&fixture.fake, &def);
+    fixture.source = create(&fixture.fake, &gpio_case_def);
     uint32_t device = expect(&fixture, EVENT_ARRIVED, 0, 0).device;
     assert_int_equal(expect(&fixture, EVENT_STANDING, RED, 1).device, device);
     expect(&fixture, EVENT_STANDING, GREEN, 1);
@@ -218,7 +112,7 @@ static void a_reversed_encoder_turns_the_other_way(void **state)
 {
     (void)state;
     struct fixture fixture = {.fake.now_us = 1000};
-    struct gpio_encoder_def other = dial;
+    struct gpio_encoder_def other = gpio_case_dial;
     other.reversed = true;
     plug_board(&fixture.fake, 2);
     fixture.source = create(&fixture.fake, &(struct source_gpio_def){.encoders = &other, .encoder_count = 1});
@@ -232,157 +126,6 @@ static void a_reversed_encoder_turns_the_other_way(void **state)
     assert_true(fixture.source->ops->event(fixture.source, &event));
     assert_int_equal(event.control, 0); /* no buttons before it */
     assert_float_equal(event.value, -1, 0);
-    source_destroy(fixture.source);
-}
-
-static void a_chip_that_leaves_lets_go_of_its_buttons(void **state)
-{
-    struct fixture *fixture = *state;
-    level(fixture, 4, true);
-    level(fixture, 1, true);
-    pass(fixture, 50000);
-    expect(fixture, EVENT_CONTROL, GREEN, 1);
-    expect(fixture, EVENT_CONTROL, RED, 1);
-    fake_unplug(&fixture->fake, 2);
-    pass(fixture, 10000);
-    expect(fixture, EVENT_CONTROL, RED, 0);
-    expect(fixture, EVENT_CONTROL, GREEN, 0);
-    assert_int_equal(expect(fixture, EVENT_LEFT, 0, 0).device, 3);
-    expect_log(fixture, "gpiochip2 'board' has left: it was removed");
-    pass(fixture, 10000000);
-    expect_nothing(fixture);
-    expect_log(fixture, "");
-
-    plug_board(&fixture->fake, 0); /* it comes back on another node */
-    pass(fixture, 1100000);
-    assert_int_equal(expect(fixture, EVENT_ARRIVED, 0, 0).device, 1);
-    expect_log(fixture, "gpiochip0 'board' is there: 5 of its lines are used");
-    expect_log(fixture, "");
-    fake_level(&fixture->fake, 0, 4, true);
-    pass(fixture, 50000);
-    assert_int_equal(expect(fixture, EVENT_CONTROL, RED, 1).device, 1);
-    expect_nothing(fixture);
-}
-
-static void a_chip_that_no_longer_answers_has_left(void **state)
-{
-    struct fixture *fixture = *state;
-    level(fixture, 1, true);
-    pass(fixture, 50000);
-    expect(fixture, EVENT_CONTROL, GREEN, 1);
-    fixture->fake.chips[2].broken = EIO; /* an expander's cable: no interrupt, no removal */
-    pass(fixture, 1100000);
-    expect(fixture, EVENT_CONTROL, GREEN, 0);
-    expect(fixture, EVENT_LEFT, 0, 0);
-    expect_log(fixture, "gpiochip2 'board' has left: Input/output error");
-    pass(fixture, 5000000);
-    fixture->fake.chips[2].broken = 0;
-    pass(fixture, 1100000);
-    expect(fixture, EVENT_ARRIVED, 0, 0);
-    expect(fixture, EVENT_STANDING, GREEN, 1); /* still held down: no press */
-    expect_nothing(fixture);
-}
-
-static void replugging_between_two_looks_is_seen(void **state)
-{
-    struct fixture *fixture = *state;
-    level(fixture, 1, true);
-    pass(fixture, 50000);
-    expect(fixture, EVENT_CONTROL, GREEN, 1);
-    fake_unplug(&fixture->fake, 2);
-    plug_board(&fixture->fake, 2);
-    pass(fixture, 1100000);
-    expect(fixture, EVENT_CONTROL, GREEN, 0);
-    expect(fixture, EVENT_LEFT, 0, 0);
-    expect(fixture, EVENT_ARRIVED, 0, 0);
-    level(fixture, 1, true);
-    pass(fixture, 50000);
-    expect(fixture, EVENT_CONTROL, GREEN, 1);
-}
-
-static void a_line_of_another_program_is_waited_for(void **state)
-{
-    (void)state;
-    struct fixture fixture = {.fake.now_us = 1000};
-    plug_board(&fixture.fake, 2);
-    struct fake_line *taken = &fixture.fake.chips[2].line[1];
-    snprintf(taken->consumer, GPIO_NAME, "gpiomon");
-    fixture.source = create(&fixture.fake, &def);
-    pass(&fixture, 10000000);
-    expect(&fixture, EVENT_ARRIVED, 0, 0);
-    expect_log(&fixture, "button 'green' waits: line 1 'GREEN' of gpiochip2 is taken by 'gpiomon'");
-    expect_log(&fixture, "gpiochip2 'board' is there: 4 of its lines are used");
-    expect_log(&fixture, "");
-    struct device device[4];
-    assert_int_equal(fixture.source->ops->devices(fixture.source, device, 4), 2);
-    assert_string_equal(device[1].trouble, "line 1 'GREEN' of gpiochip2 is taken by 'gpiomon'");
-    taken->consumer[0] = '\0';
-    pass(&fixture, 1100000);
-    expect_log(&fixture, "button 'green' is there");
-    level(&fixture, 1, true);
-    pass(&fixture, 1000);
-    expect(&fixture, EVENT_CONTROL, GREEN, 1);
-    source_destroy(fixture.source);
-}
-
-static void what_is_missing_is_said_once(void **state)
-{
-    (void)state;
-    static const struct gpio_button_def wanted[] = {
-        {.name = "a", .line = {.chip = "board", .line = "NOWHERE"}},
-        {.name = "b", .line = {.chip = "gpiochip2", .offset = 8}},
-        {.name = "c", .line = {.chip = "usb", .offset = 0}},
-        {.name = "d", .line = {.chip = "usb", .offset = 1}},
-        {.name = "e", .line = {.chip = "/dev/gpiochip2", .offset = 0}},
-        {.line = {.line = "UNKNOWN"}},
-    };
-    struct fixture fixture = {.fake.now_us = 1000};
-    plug_board(&fixture.fake, 2);
-    fixture.source = create(&fixture.fake, &(struct source_gpio_def){.buttons = wanted, .button_count = 6});
-    pass(&fixture, 5000000);
-    expect_log(&fixture, "button 'a' waits: gpiochip2 has no line 'NOWHERE'");
-    expect_log(&fixture, "button 'b' waits: gpiochip2 has no line 8, only 0..7");
-    expect_log(&fixture, "button 'c' waits: there is no GPIO chip 'usb'");
-    expect_log(&fixture, "button 5 waits: no GPIO chip has a line 'UNKNOWN'");
-    expect_log(&fixture, "gpiochip2 'board' is there: 1 of its lines are used");
-    expect_log(&fixture, "");
-    struct device devices[8];
-    assert_int_equal(fixture.source->ops->devices(fixture.source, devices, 8), 3);
-    assert_string_equal(devices[0].name, "board");
-    assert_string_equal(devices[0].path, "/dev/gpiochip2");
-    assert_string_equal(devices[0].trouble, "gpiochip2 has no line 'NOWHERE'");
-    assert_true(devices[0].admitted);
-    assert_int_equal(devices[0].id, 3);
-    assert_string_equal(devices[1].name, "usb");
-    assert_string_equal(devices[2].trouble, "no GPIO chip has a line 'UNKNOWN'");
-    struct gpio_line_info lines[8];
-    assert_int_equal(source_gpio_lines(fixture.source, 3, lines, 8), 8);
-    assert_string_equal(lines[1].name, "GREEN");
-    assert_string_equal(lines[0].consumer, "frond");
-    assert_int_equal(source_gpio_lines(fixture.source, 9, lines, 8), 0);
-    source_destroy(fixture.source);
-    assert_int_equal(fixture.fake.held_lines + fixture.fake.open_chips, 0);
-}
-
-static void a_chip_that_may_not_be_opened_says_how_to_mend_it(void **state)
-{
-    (void)state;
-    struct fixture fixture = {.fake.now_us = 1000};
-    plug_board(&fixture.fake, 2);
-    fixture.fake.chips[2].denied = EACCES;
-    fixture.source = create(&fixture.fake, &def);
-    pass(&fixture, 3000000);
-    char line[200];
-    assert_true(fixture.source->ops->log(fixture.source, line, sizeof line));
-    assert_non_null(strstr(line, "no permission for /dev/gpiochip2: "));
-    assert_non_null(strstr(line, "group"));
-    expect_log(&fixture, "");
-    struct device device;
-    assert_int_equal(fixture.source->ops->devices(fixture.source, &device, 1), 1);
-    assert_non_null(strstr(device.trouble, "no permission for /dev/gpiochip2: "));
-    fixture.fake.chips[2].denied = 0;
-    pass(&fixture, 1100000);
-    expect(&fixture, EVENT_ARRIVED, 0, 0);
     source_destroy(fixture.source);
 }
 
@@ -492,55 +235,6 @@ static void lamps_switch_at_one_half_and_not_too_often(void **state)
     assert_in_range(line->switched, 4, 6);
 }
 
-static void a_chip_of_lamps_alone_is_watched_without_reading_them(void **state)
-{
-    (void)state;
-    struct fixture fixture = {.fake.now_us = 1000};
-    plug_board(&fixture.fake, 2);
-    fixture.fake.chips[2].mute = true;
-    fixture.source = create(&fixture.fake, &(struct source_gpio_def){.lamps = &lamp, .lamp_count = 1});
-    pass(&fixture, 5000000);
-    expect_log(&fixture, "gpiochip2 'board' is there: 1 of its lines are used");
-    expect_log(&fixture, "");
-    fake_unplug(&fixture.fake, 2);
-    pass(&fixture, 1100000);
-    expect_log(&fixture, "gpiochip2 'board' has left: it was removed");
-    source_destroy(fixture.source);
-}
-
-static void lamps_come_back_lit_and_end_dark(void **state)
-{
-    (void)state;
-    struct fixture fixture = {.fake.now_us = 1000};
-    fixture.source = create(&fixture.fake, &def);
-    assert_true(fixture.source->ops->lamp(fixture.source, 0, 1)); /* before there is a chip */
-    plug_board(&fixture.fake, 2);
-    pass(&fixture, 1100000);
-    struct fake_line *line = &fixture.fake.chips[2].line[7];
-    assert_true(line->level);
-    fake_unplug(&fixture.fake, 2);
-    pass(&fixture, 1100000);
-    plug_board(&fixture.fake, 2);
-    pass(&fixture, 1100000);
-    assert_true(line->level);
-    source_destroy(fixture.source);
-    assert_false(line->level);
-    assert_int_equal(fixture.fake.held_lines + fixture.fake.open_chips, 0);
-}
-
-static void at_rest_it_costs_next_to_nothing(void **state)
-{
-    struct fixture *fixture = *state;
-    fixture->fake.calls = fixture->fake.opened = 0;
-    pass(fixture, 60000000);
-    assert_in_range(fixture->fake.calls, 60, 60 * 8);
-    assert_int_equal(fixture->fake.opened, 0);
-    struct fixture none = {.fake.now_us = 1000};
-    none.source = create(&none.fake, &(struct source_gpio_def){.buttons = NULL});
-    assert_int_equal(none.source->ops->timeout_ms(none.source), -1);
-    source_destroy(none.source);
-}
-
 static void wrong_definitions_say_why(void **state)
 {
     (void)state;
@@ -558,11 +252,11 @@ static void wrong_definitions_say_why(void **state)
     struct device_error error;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct source_gpio_def wrong = {
-            .buttons = &cases[i].button, .button_count = 1, .lamps = &lamp, .lamp_count = 1};
+            .buttons = &cases[i].button, .button_count = 1, .lamps = &gpio_case_lamp, .lamp_count = 1};
         assert_null(source_gpio_create_on(&wrong, &gpio_fake_ops, &fake, &error));
         assert_string_equal(error.text, cases[i].says);
     }
-    struct gpio_encoder_def odd = dial;
+    struct gpio_encoder_def odd = gpio_case_dial;
     odd.steps = 3;
     assert_null(source_gpio_create_on(&(struct source_gpio_def){.encoders = &odd, .encoder_count = 1}, &gpio_fake_ops,
                                       &fake, &error));
@@ -570,8 +264,6 @@ static void wrong_definitions_say_why(void **state)
     assert_null(source_gpio_create_on(&(struct source_gpio_def){.encoder_count = 33}, &gpio_fake_ops, &fake, &error));
     assert_string_equal(error.text, "GPIO: 66 lines; there may be 64");
 }
-
-#define WITH_BOARD(test) cmocka_unit_test_setup_teardown(test, start, finish)
 
 int main(void)
 {
@@ -582,19 +274,10 @@ int main(void)
         cmocka_unit_test(a_button_held_at_the_start_is_said_and_is_no_press),
         WITH_BOARD(an_encoder_turns_as_its_times_say),
         cmocka_unit_test(a_reversed_encoder_turns_the_other_way),
-        WITH_BOARD(a_chip_that_leaves_lets_go_of_its_buttons),
-        WITH_BOARD(a_chip_that_no_longer_answers_has_left),
-        WITH_BOARD(replugging_between_two_looks_is_seen),
-        cmocka_unit_test(a_line_of_another_program_is_waited_for),
-        cmocka_unit_test(what_is_missing_is_said_once),
-        cmocka_unit_test(a_chip_that_may_not_be_opened_says_how_to_mend_it),
         WITH_BOARD(an_edge_that_nobody_heard_is_mended),
         cmocka_unit_test(a_storm_loses_no_release),
         WITH_BOARD(a_contact_that_never_rests_is_said_once),
         WITH_BOARD(lamps_switch_at_one_half_and_not_too_often),
-        cmocka_unit_test(a_chip_of_lamps_alone_is_watched_without_reading_them),
-        cmocka_unit_test(lamps_come_back_lit_and_end_dark),
-        WITH_BOARD(at_rest_it_costs_next_to_nothing),
         cmocka_unit_test(wrong_definitions_say_why),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

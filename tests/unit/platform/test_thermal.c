@@ -1,42 +1,33 @@
 /* Temperature and throttling, as boards tell them, from made-up trees of sysfs. */
-#define _XOPEN_SOURCE 700 /* nftw */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <ftw.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "folder_case.h"
 #include "thermal.h"
 
 enum { SECOND = 1000000 };
 
 static int make_root(void **state)
 {
-    char *root = strdup("/tmp/frond-thermal-XXXXXX");
+    char *root = calloc(1, FOLDER_CASE_PATH);
     *state = root;
-    return root && mkdtemp(root) ? 0 : 1;
-}
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
+    return root && folder_case_make(root) ? 0 : 1;
 }
 
 static int remove_root(void **state)
 {
-    int status = nftw(*state, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    bool removed = folder_case_remove(*state);
     free(*state);
-    return status;
+    return removed ? 0 : 1;
 }
 
 /* Writes a file of the tree, its folders first. */
@@ -49,10 +40,7 @@ static void put(const char *root, const char *name, const char *text)
         mkdir(path, 0777);
         *slash = '/';
     }
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
+    assert_true(folder_case_put(path, text));
 }
 
 static void put_zone(const char *root, int number, const char *type, const char *temperature)

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "deposit.h"
 #include "painting_gpu_state.h"
 #include "plate.h"
 #include "rinse.h"
@@ -56,14 +57,14 @@ static const struct {
     {"tiles.glsl", "HEAD_CARVED", GPU_HEAD_CARVED},
     {"tiles.glsl", "HEAD_DISPATCH", GPU_HEAD_DISPATCH},
     {"tiles.glsl", "CALM_PERIODS", CALM_PERIODS},
-    {"deposit.comp", "DROP", ACTION_DROP},
-    {"deposit.comp", "BRUSH_SOLVENT", ACTION_BRUSH_SOLVENT},
-    {"deposit.comp", "BRUSH_INK", ACTION_BRUSH_INK},
-    {"deposit.comp", "DRAW", ACTION_DRAW},
-    {"deposit.comp", "POUR", ACTION_POUR},
-    {"deposit.comp", "DRY_OUT", ACTION_DRY},
-    {"deposit.comp", "WET_AGAIN", ACTION_WET},
-    {"deposit.comp", "RINSE", ACTION_RINSE},
+    {"deposit.comp", "LAW_DROP", DEPOSIT_DROP},
+    {"deposit.comp", "LAW_SOLVENT", DEPOSIT_SOLVENT},
+    {"deposit.comp", "LAW_INK", DEPOSIT_INK},
+    {"deposit.comp", "LAW_LINE", DEPOSIT_LINE},
+    {"deposit.comp", "LAW_FRESH", DEPOSIT_FRESH},
+    {"deposit.comp", "LAW_DRIES", DEPOSIT_DRIES},
+    {"deposit.comp", "LAW_WETS", DEPOSIT_WETS},
+    {"deposit.comp", "LAW_RINSE", DEPOSIT_RINSE},
     {"deposit.comp", "INKS", PAINTING_INKS},
     {"deposit.comp", "RINSE_OVER", (double)RINSE_OVER},
     {"deposit.comp", "RINSE_FILM", (double)RINSE_FILM},

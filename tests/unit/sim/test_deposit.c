@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "deposit.h"
+#include "painting_verb.h"
 
 struct sheet {
     struct ground *ground;
@@ -209,9 +210,28 @@ static void tells_which_ground_has_changed(void **state)
     sheet_drop(&sheet);
 }
 
+/* What a verb says of itself fits the parameters that it has. */
+static void every_verb_fits_its_keys(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ACTION_VERBS; i++) {
+        const struct verb *verb = verbs[i];
+        const struct key *at = key_find(verb->keys, "at"), *path = key_find(verb->keys, "path");
+        bool raster = key_find(verb->keys, "formula") || key_find(verb->keys, "picture");
+        bool lays = verb->painting && verb->painting->law != DEPOSIT_NOTHING;
+        assert_true(!verb->needs_place || at || path || raster);
+        assert_true(!verb->one_place || (at && path));
+        assert_true(!verb->whole || (at && !at->required && !verb->needs_place));
+        assert_true(!verb->painting || verb->scene == SCENE_PAINTING);
+        assert_true(!lays || at || path);
+        assert_true(!verb->back || !lays); /* a history does it, no engine */
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_verb_fits_its_keys),
         cmocka_unit_test(comes_in_parts_of_bounded_size),
         cmocka_unit_test(stays_on_the_sheet),
         cmocka_unit_test(leaves_out_what_lies_under_obstacles),

@@ -76,8 +76,32 @@ static void what_dies_out_is_sown_anew(void **state)
     assert_true(hashes[0] == hashes[1]);
 }
 
+/* It is another dish to come, although it looks the same, where somebody has taken something away. */
+static void what_was_taken_away_is_told(void **state)
+{
+    (void)state;
+    uint64_t hashes[2];
+    for (int time = 0; time < 2; time++) {
+        struct dish *dish = dish_create(WIDTH, HEIGHT);
+        assert_non_null(dish);
+        do_react(dish, "preset", 0);
+        assert_true(dish_tick(dish, 0));
+        if (time == 1) {
+            struct action erase = action_default(ACTION_DOSE);
+            erase.has_at = erase.invert = true;
+            erase.strength = 0;
+            dish_act(dish, 0, &erase);
+        }
+        hashes[time] = dish_type.hash(dish);
+        dish_destroy(dish);
+    }
+    print_message("sown: 0x%016llx\n", (unsigned long long)hashes[0]);
+    assert_true(hashes[0] != hashes[1] && hashes[0] == UINT64_C(0x2dea9a4119d3a51a));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(what_dies_out_is_sown_anew)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(what_dies_out_is_sown_anew),
+                                       cmocka_unit_test(what_was_taken_away_is_told)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

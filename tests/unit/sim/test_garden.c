@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "garden.h"
+#include "hash.h"
 #include "noise.h"
 
 enum { WIDTH = 160, HEIGHT = 120, SIDE = 96, DETAIL = 128, NODES_MOST = 4 * DETAIL * DETAIL };
@@ -122,14 +123,12 @@ static struct garden *grown(void)
 static uint64_t shape_of(const struct garden *garden) /* without births */
 {
     struct garden_plan plan;
-    uint64_t found = UINT64_C(14695981039346656037);
+    uint64_t found = HASH_START;
     assert_true(garden_get_plan(garden, &plan));
     for (int32_t i = 0; i < plan.dendrite->node_count; i++) {
         const struct dendrite_node *node = &plan.dendrite->nodes[i];
         const float values[] = {node->x, node->y, node->radius, (float)node->vertex, (float)node->parent};
-        for (size_t k = 0; k < sizeof values; k++) {
-            found = (found ^ ((const uint8_t *)values)[k]) * UINT64_C(1099511628211);
-        }
+        found = hash_bytes(found, values, sizeof values);
     }
     return found;
 }

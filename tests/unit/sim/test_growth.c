@@ -12,6 +12,7 @@
 
 #include "growth.h"
 #include "growth_paint.h"
+#include "hash.h"
 #include "noise.h"
 
 enum { SIDE = 160 };
@@ -28,14 +29,6 @@ static void draw(float *grey, int side, uint32_t seed)
             grey[y * side + x] = tone < 0 ? 0 : tone > 1 ? 1 : tone;
         }
     }
-}
-
-static uint64_t hash(uint64_t start, const void *bytes, size_t size)
-{
-    for (size_t i = 0; i < size; i++) {
-        start = (start ^ ((const uint8_t *)bytes)[i]) * UINT64_C(1099511628211);
-    }
-    return start;
 }
 
 static void assert_is_a_forest(const struct growth *growth, int layer, int32_t trees)
@@ -348,11 +341,11 @@ static void the_same_grows_every_time(void **state)
         const struct growth_paint_def paint = {.width = SIDE, .height = SIDE, .scale = 1, .grown = FLT_MAX};
         assert_true(growth_paint(growth, &strokes, &paint, rgb) && growth_paint(twin, &strokes, &paint, again));
         assert_memory_equal(rgb, again, 3 * SIDE * SIDE * sizeof *rgb);
-        uint64_t found = UINT64_C(14695981039346656037);
+        uint64_t found = HASH_START;
         for (int32_t i = 0; i < growth->layers[0]->node_count; i++) {
             assert_int_equal(growth->layers[0]->nodes[i].vertex, twin->layers[0]->nodes[i].vertex);
-            found = hash(found, &growth->layers[0]->nodes[i].vertex, sizeof(int32_t));
-            found = hash(found, &growth->layers[0]->nodes[i].parent, sizeof(int32_t));
+            found = hash_bytes(found, &growth->layers[0]->nodes[i].vertex, sizeof(int32_t));
+            found = hash_bytes(found, &growth->layers[0]->nodes[i].parent, sizeof(int32_t));
         }
         if (found != STRUCTURE[tree]) {
             print_message("now: 0x%016llx\n", (unsigned long long)found);

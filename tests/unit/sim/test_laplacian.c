@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hash.h"
 #include "laplacian_state.h"
 
 static struct laplacian *grown(const struct laplacian_def *def)
@@ -118,14 +119,10 @@ static void choices_are_as_likely_as_the_equations_say(void **state)
 
 static uint64_t hash_of(const struct laplacian *laplacian)
 {
-    uint64_t hash = UINT64_C(14695981039346656037);
+    uint64_t hash = HASH_START;
     for (int i = 0; i < laplacian_count(laplacian); i++) {
         struct laplacian_node node = laplacian_node(laplacian, i);
-        uint8_t bytes[sizeof node];
-        memcpy(bytes, &node, sizeof node);
-        for (size_t b = 0; b < sizeof bytes; b++) {
-            hash = (hash ^ bytes[b]) * UINT64_C(1099511628211);
-        }
+        hash = hash_bytes(hash, &node, sizeof node);
     }
     return hash;
 }

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hash.h"
 #include "lsystem_plant.h"
 #include "lsystem_state.h"
 
@@ -39,14 +40,10 @@ static struct lsystem_def plain(int dimensions)
 
 static uint64_t hash_of(const struct lsystem *plant)
 {
-    uint64_t hash = UINT64_C(14695981039346656037);
+    uint64_t hash = HASH_START;
     for (int32_t i = 0; i < lsystem_count(plant); i++) {
         struct lsystem_node node = lsystem_node(plant, i);
-        uint8_t bytes[sizeof node];
-        memcpy(bytes, &node, sizeof node);
-        for (size_t b = 0; b < sizeof bytes; b++) {
-            hash = (hash ^ bytes[b]) * UINT64_C(1099511628211);
-        }
+        hash = hash_bytes(hash, &node, sizeof node);
     }
     return hash;
 }

@@ -388,6 +388,9 @@ static void strikes_leave_scars(void **state)
     }
     print_message("%d cells of a strike that has gone, %d with a way\n", one, told);
     assert_true(one > 40 && told > one / 4);
+    uint64_t scarred = storm_hash(storm);
+    print_message("scarred: 0x%016llx\n", (unsigned long long)scarred);
+    assert_true(scarred == UINT64_C(0x35cbc1447872e29e));
     storm_case_strike(storm, struck + 1, 2, 0.8f, 0.8f);
     storm_case_ticks(storm, struck + 1, struck + 12);
     assert_true(dark_of(storm, dark, ACROSS, DOWN) > one + 5);
@@ -406,6 +409,7 @@ static void strikes_leave_scars(void **state)
     int left = dark_of(storm, dark, ACROSS, DOWN);
     print_message("%d of %d left by water\n", left, one);
     assert_in_range(left, one / 5, one - 20);
+    assert_true(storm->count == 0 && storm_hash(storm) != scarred);
     storm_case_by(storm, struck + 130, ACTION_CLEAR, 0);
     assert_int_equal(dark_of(storm, dark, ACROSS, DOWN), 0);
     storm_destroy(storm);

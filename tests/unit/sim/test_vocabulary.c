@@ -105,6 +105,15 @@ static void the_misspelt_is_guessed(void **state)
     assert_null(key_suggest(coefficient_keys, "a name far too long for any key that there could be"));
 }
 
+static void numbers_come_into_their_range(void **state)
+{
+    (void)state;
+    const struct key *noise = key_find(coefficient_keys, "noise"), *seam = key_find(coefficient_keys, "seam");
+    assert_true(key_bound(noise, NAN) == 0 && key_bound(noise, -1) == 0 && key_bound(noise, 99) == NOISE_LOGNORMAL);
+    assert_true(key_bound(seam, NAN) == 0 && key_bound(seam, 7) == 1 && key_bound(seam, 0.5f) == 0.5f);
+    assert_true(key_bound(key_find(coefficient_keys, "pattern_steps"), 99) == PATTERN_STEPS_MOST);
+}
+
 static void every_brush_names_inks_that_exist(void **state)
 {
     (void)state;
@@ -146,6 +155,7 @@ int main(void)
         cmocka_unit_test(values_are_kept_within_their_range),
         cmocka_unit_test(every_coefficient_has_a_key),
         cmocka_unit_test(the_misspelt_is_guessed),
+        cmocka_unit_test(numbers_come_into_their_range),
         cmocka_unit_test(every_brush_names_inks_that_exist),
         cmocka_unit_test(noise_has_the_moments_it_promises),
     };
