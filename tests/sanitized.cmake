@@ -6,11 +6,6 @@
 #   unit.painting_same    the same bits from every kernel and any number of threads, at length: unit.painting has its calls,
 #                         and the kernels it compares are not looked at here (FROND_BARE_KERNELS)
 set(frond_unsanitized unit.painting_same)
-#   unit.studio, unit.live_trees    under the thread sanitizer alone: they wait for the wall's time, and had not done after a
-#                         quarter of an hour on a loaded machine; no race was found until then. The soak has their threads.
-if(FROND_SANITIZE MATCHES thread)
-    list(APPEND frond_unsanitized unit.studio unit.live_trees)
-endif()
 if(FROND_SANITIZE)
     add_compile_definitions(SANITIZED)
 endif()

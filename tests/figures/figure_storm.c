@@ -100,11 +100,11 @@ static void draw_strike(struct figure *figure, struct sheet *sheet)
     show(sheet, storm, tick - 1, "it has come");
     ticks(storm, &tick, tick + 8);
     show(sheet, storm, tick - 1, "it glows");
-    double before = heat_of(storm, tick - 1), now = before, most = 0;
+    double before = heat_of(storm, tick - 1), most = 0;
     int64_t from = tick;
     for (int i = 0; i < 60 && most < 1.2; i++) {
         ticks(storm, &tick, tick + 1);
-        now = heat_of(storm, tick - 1);
+        double now = heat_of(storm, tick - 1);
         most = now / before;
         before = now;
     }

@@ -214,7 +214,6 @@ static void a_touch_meanwhile_does_not_wait(void **state)
     assert_true(steady);
     assert_string_equal(scene_of(hall), "b");
     assert_false(kiosk_is_covered(hall->kiosk));
-    before = hall->count;
     hall_button(hall, END, 0.1);
     assert_true(until_share(hall, 1.2, 20)); /* bared for attract: for a visitor it hurries */
     hall_tap(hall, MIDDLE.x, MIDDLE.y, 0);
