@@ -156,6 +156,21 @@ static void roll_checkpoint(struct studio *studio)
     }
 }
 
+/* The engine's shaders, once a second where a folder has them: anew when it has changed; with an error the old go on.
+ */
+static void look_at_shaders(struct studio *studio)
+{
+    if (studio->def.engine != ENGINE_GPU || !studio->def.folder || bench_wall_s() - studio->second_s < 1) {
+        return;
+    }
+    struct shader_error error;
+    long long stamp = shader_folder_stamp(studio->def.folder);
+    if (stamp != studio->shaders && !engine_gpu_reload(studio->engine, &error)) {
+        studio_set_trouble(studio, error.text);
+    }
+    studio->shaders = stamp;
+}
+
 /* Counts what ticks cost, and says so once a second; `ticked`: there was one. */
 static void measure(struct studio *studio, double began, bool ticked)
 {
@@ -220,6 +235,7 @@ static bool tick(struct studio *studio)
         studio->changed_since = false;
     }
     roll_checkpoint(studio);
+    look_at_shaders(studio);
     measure(studio, began, ticks);
     return true;
 }
@@ -305,6 +321,7 @@ void *studio_work(void *context)
     if (!good) {
         snprintf(studio->error.text, sizeof studio->error.text, "the studio's GL context cannot be made current");
     }
+    studio->shaders = shader_folder_stamp(studio->def.folder);
     good = good && open_engine(studio);
     tell_start(studio, good);
     double next_s = bench_wall_s();

@@ -64,6 +64,7 @@ struct studio {
     struct studio_action journal[STUDIO_JOURNAL]; /* done since `partial`, or if none is being taken `whole`, began */
     int journal_count, journal_kept;              /* `kept`: how many of them `partial` holds already */
     double checkpoint_s;                          /* when the newest was begun */
+    long long shaders;                            /* the folder as it was when they were taken (shader_folder_stamp) */
     double second_s, busy_s;                      /* the second being measured; time spent in ticks in it */
     int second_ticks;
 };
