@@ -283,9 +283,9 @@ static void test_admission_by_class(void **state)
     assert_true(admits(touch_admit(&all, &phantom), "---"));
     assert_true(admits(touch_admit(&none, &screen), "---"));
     assert_true(admits(touch_admit(&none, &mouse), "---"));
-    assert_int_equal(touch_class(&keyed_screen), DEVICE_TOUCH);
-    assert_int_equal(touch_class(&pad), DEVICE_POINTER);
-    assert_int_equal(touch_class(&remote), DEVICE_KEYBOARD);
+    assert_string_equal(touch_class(&keyed_screen), DEVICE_TOUCH);
+    assert_string_equal(touch_class(&pad), DEVICE_POINTER);
+    assert_string_equal(touch_class(&remote), DEVICE_KEYBOARD);
 }
 
 static void test_admission_by_entry(void **state)
