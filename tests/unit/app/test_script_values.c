@@ -155,6 +155,16 @@ static const struct script_case SESSION[] = {
      BYTES("frond: 1\n"
            "painting: {alpha_a: 2}\n"),
      "s.yaml:2:21: painting.alpha_a: 2 is out of range; 0.01 to 1 cells^2 per unit of time\n"},
+    {"just beyond both ends, and just at them",
+     BYTES("frond: 1\n"
+           "painting: {alpha_a: 1.0001}\n"
+           "actions:\n"
+           "  - {tick: 0, drop: {at: [0, 1], radius: 0.5, solvent: 1000, amount: 0}}\n"
+           "  - {tick: 0, drop: {at: [0, 1.0001], radius: 512.001, solvent: -0.001}}\n"),
+     "s.yaml:2:21: painting.alpha_a: 1.0001 is out of range; 0.01 to 1 cells^2 per unit of time\n"
+     "s.yaml:5:30: actions[1].drop.at[1]: 1.0001 is out of range; 0 to 1 of the sheet\n"
+     "s.yaml:5:47: actions[1].drop.radius: 512.001 is out of range; 0.5 to 512 cells\n"
+     "s.yaml:5:65: actions[1].drop.solvent: -0.001 is out of range; 0 to 1000 density per cell\n"},
     {"coefficient twice",
      BYTES("frond: 1\n"
            "painting: {k: 2,\n"
