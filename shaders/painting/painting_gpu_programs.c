@@ -26,10 +26,10 @@ static const struct {
     [PROGRAM_COUNT] = {"upkeep_count.comp", NULL},
     [PROGRAM_PIGMENT] = {"upkeep_pigment.comp", NULL},
     [PROGRAM_SETTLE] = {"upkeep_settle.comp", NULL},
-    [PROGRAM_PUBLISH + FIELDS_GROUND] = {"publish.comp", "#define GROUND"},
-    [PROGRAM_PUBLISH + FIELDS_INK] = {"publish.comp", "#define INKS"},
-    [PROGRAM_PUBLISH + FIELDS_PATTERN] = {"publish.comp", "#define PATTERNS"},
-    [PROGRAM_PUBLISH + FIELDS_VECTORS] = {"publish.comp", "#define VECTORS"},
+    [PROGRAM_PUBLISH + (int) FIELDS_GROUND] = {"publish.comp", "#define GROUND"},
+    [PROGRAM_PUBLISH + (int) FIELDS_INK] = {"publish.comp", "#define INKS"},
+    [PROGRAM_PUBLISH + (int) FIELDS_PATTERN] = {"publish.comp", "#define PATTERNS"},
+    [PROGRAM_PUBLISH + (int) FIELDS_VECTORS] = {"publish.comp", "#define VECTORS"},
 };
 
 /* The uniforms of planes.glsl and tiles.glsl, where a program has them. */
