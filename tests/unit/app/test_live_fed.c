@@ -10,9 +10,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "bench.h"
+#include "folder_case.h"
 #include "kiosk_state.h"
 #include "live_loop.h"
 #include "source_fake.h"
@@ -34,7 +34,7 @@ static const char EXHIBIT[] = "exhibit: 1\n"
                               "visit: {idle: 600, wash: 1, attract: 1800}\n";
 
 struct place {
-    char folder[64], file[100];
+    char folder[FOLDER_CASE_PATH], file[100];
     struct display *display;
     struct live_def def;
     struct live live;
@@ -46,8 +46,7 @@ static struct exhibit *read_exhibit(struct place *place)
 {
     struct script_def def = script_default_def();
     struct report report;
-    strcpy(place->folder, "/tmp/frond-fed-XXXXXX");
-    assert_non_null(mkdtemp(place->folder));
+    assert_true(folder_case_make(place->folder));
     snprintf(place->file, sizeof place->file, "%s/fed.yaml", place->folder);
     FILE *file = fopen(place->file, "w");
     assert_non_null(file);
@@ -99,8 +98,7 @@ static void close_place(struct place *place)
 {
     live_close(&place->live);
     display_destroy(place->display);
-    unlink(place->file);
-    rmdir(place->folder);
+    assert_true(folder_case_remove(place->folder));
     free(place);
 }
 

@@ -26,6 +26,7 @@
 #include <GLES3/gl31.h>
 
 #include "bench_gpu.h"
+#include "folder_case.h"
 #include "gpu_case.h"
 #include "painting_gpu_state.h"
 
@@ -422,23 +423,7 @@ static void write_source(const char *folder, const char *name, const char *text)
 {
     char path[300];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "wb");
-    if (!file) {
-        fail_msg("%s cannot be written", path);
-        return;
-    }
-    assert_int_equal(fwrite(text, 1, strlen(text), file), strlen(text));
-    fclose(file);
-}
-
-static void remove_sources(const char *folder)
-{
-    for (const struct shader_source *source = shader_sources; source->name; source++) {
-        char path[300];
-        snprintf(path, sizeof path, "%s/%s", folder, source->name);
-        unlink(path);
-    }
-    rmdir(folder);
+    assert_true(folder_case_put(path, text));
 }
 
 /* Whether a tick loses and makes no solvent, as the fluids of the engine itself. */
@@ -458,8 +443,8 @@ static const char OTHER_FLUID[] =
 static void sources_are_reloaded(void **state)
 {
     (void)state;
-    char folder[] = "/tmp/frond-gpu-steps-XXXXXX";
-    assert_non_null(mkdtemp(folder));
+    char folder[FOLDER_CASE_PATH];
+    assert_true(folder_case_make(folder));
     const char *fluid = "", *publish = "";
     for (const struct shader_source *source = shader_sources; source->name; source++) {
         write_source(folder, source->name, source->text);
@@ -494,7 +479,7 @@ static void sources_are_reloaded(void **state)
     assert_int_equal(glGetError(), GL_NO_ERROR);
     engine_destroy(engine);
     display_destroy(display);
-    remove_sources(folder);
+    assert_true(folder_case_remove(folder));
 }
 
 /* Counted figures hang together, measured ones are there. */

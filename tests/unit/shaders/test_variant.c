@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "program.h"
 
 static const char SOURCE[] = "// A stage.\n"
@@ -71,29 +72,15 @@ static void write_file(const char *folder, const char *name, const char *text)
 {
     char path[300];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
-}
-
-static void remove_files(const char *path)
-{
-    char file[300];
-    static const char *const names[] = {"a.comp", "b.glsl", "c.comp"}; /* those that there are */
-    for (int i = 0; i < 3; i++) {
-        snprintf(file, sizeof file, "%s/%s", path, names[i]);
-        unlink(file);
-    }
-    rmdir(path);
+    assert_true(folder_case_put(path, text));
 }
 
 static void only_variants_are_put_together(void **state)
 {
     (void)state;
-    char path[] = "/tmp/frond-variant-XXXXXX", defines[VARIANT_TEXT];
+    char path[FOLDER_CASE_PATH], defines[VARIANT_TEXT];
     struct shader_error error = {""};
-    assert_non_null(mkdtemp(path));
+    assert_true(folder_case_make(path));
     const struct shader_folder folder = {path};
     write_file(path, "a.comp", "#variant STEPS=4\n#include \"b.glsl\"\nvoid main() {}\n");
     write_file(path, "b.glsl", "float b;\n");
@@ -116,16 +103,16 @@ static void only_variants_are_put_together(void **state)
     assert_string_equal(defines, "#define STEPS 4\n");
     assert_false(shader_variant(&folder, "a.comp", 1, defines));
     assert_false(shader_variant(&folder, "none.comp", 0, defines));
-    remove_files(path);
+    assert_true(folder_case_remove(path));
 }
 
 /* shaders/ has folders; so may one's own. */
 static void sources_are_found_in_folders_of_the_folder(void **state)
 {
     (void)state;
-    char path[] = "/tmp/frond-variant-XXXXXX", below[64];
+    char path[FOLDER_CASE_PATH], below[FOLDER_CASE_PATH + 16];
     struct shader_error error = {""};
-    assert_non_null(mkdtemp(path));
+    assert_true(folder_case_make(path));
     snprintf(below, sizeof below, "%s/painting", path);
     assert_int_equal(mkdir(below, 0700), 0);
     const struct shader_folder folder = {path};
@@ -140,8 +127,7 @@ static void sources_are_found_in_folders_of_the_folder(void **state)
     const struct timespec later[2] = {{4000000000, 0}, {4000000000, 5}};
     assert_int_equal(utimensat(AT_FDCWD, file, later, 0), 0);
     assert_true(shader_folder_stamp(&folder) == 4000000000000000005);
-    remove_files(below);
-    remove_files(path);
+    assert_true(folder_case_remove(path));
 }
 
 /* A folder of a working copy stands for what is embedded. */
