@@ -12,6 +12,7 @@
 #include "busy.h"
 #include "checkpoint.h"
 #include "engine.h"
+#include "vectors_seen.h"
 
 static void act_on(void *painting, const struct action *action)
 {
@@ -372,6 +373,7 @@ static void three_threads_share_the_rows(void **state)
     struct painting_def def = painting_default_def();
     def.width = def.height = 70;
     def.threads = 3;
+    def.vectors = VECTORS_SEEN;
     static float texels[2][4 * 70 * 70];
     struct checkpoint checkpoint;
     assert_true(checkpoint_init(&checkpoint, &def));

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "painting.h"
+#include "vectors_seen.h"
 
 /* A change of the model changes these. Look at the contact sheets, then set them anew from what the test prints. */
 #define GOLDEN_ONE_DROP 0x82830d99530877f2u
@@ -20,12 +21,6 @@ static struct action drop_at(float x, float y, int ink)
     drop.ink = ink;
     return drop;
 }
-
-#ifdef SANITIZED /* which may see no other kernels (sim/CMakeLists.txt) */
-static const enum vectors VECTORS_SEEN = VECTORS_NARROW;
-#else
-static const enum vectors VECTORS_SEEN = VECTORS_BEST;
-#endif
 
 static struct painting *one_drop(struct painting_def def, int ticks)
 {
