@@ -12,6 +12,7 @@
 #include "busy.h"
 #include "checkpoint.h"
 #include "engine.h"
+#include "patience.h"
 #include "vectors_seen.h"
 
 static void act_on(void *painting, const struct action *action)
@@ -405,11 +406,11 @@ int main(void)
         cmocka_unit_test(publishes_what_it_reads),
         cmocka_unit_test(three_threads_share_the_rows),
     };
-#ifdef SANITIZED /* a long session finds nothing there that a short one does not */
-    cmocka_set_skip_filter("goes_on_*");
+    if (!is_whole()) { /* a long session finds nothing there that a short one does not */
+        cmocka_set_skip_filter("goes_on_*");
+#ifdef SANITIZED_THREAD /* what threads share, on a small sheet */
+        cmocka_set_test_filter("three_threads_share_the_rows");
 #endif
-#ifdef SANITIZED_THREAD /* a hundred times slower there: what threads share, on a small sheet */
-    cmocka_set_test_filter("three_threads_share_the_rows");
-#endif
+    }
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
