@@ -23,9 +23,8 @@
 #include "journal_file.h"
 #include "keep_case.h"
 #include "keep_files.h"
+#include "patience.h"
 #include "player.h"
-
-enum { PATIENCE_MS = 8000 };
 
 static int take_table(void **state)
 {

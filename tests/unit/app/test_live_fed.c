@@ -15,9 +15,10 @@
 #include "folder_case.h"
 #include "kiosk_state.h"
 #include "live_loop.h"
+#include "patience.h"
 #include "source_fake.h"
 
-enum { WIDTH = 320, HEIGHT = 200, BYTES = WIDTH * HEIGHT * 3, PATIENCE_S = 30, DARK = 120, BRIGHT = 60, LEAST = 30 };
+enum { WIDTH = 320, HEIGHT = 200, BYTES = WIDTH * HEIGHT * 3, DARK = 120, BRIGHT = 60, LEAST = 30 };
 
 static const char EXHIBIT[] = "exhibit: 1\n"
                               "display: {width: 530}\n"

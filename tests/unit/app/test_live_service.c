@@ -17,8 +17,9 @@
 
 #include "bench.h"
 #include "live_service.h"
+#include "patience.h"
 
-enum { PATIENCE_S = 30, WATCHDOG_US = 10000000 };
+enum { WATCHDOG_US = 10000000 };
 
 struct place {
     int manager;

@@ -23,7 +23,7 @@
 #include "pictures.h"
 #include "source_fake.h"
 
-enum { WIDTH = 320, HEIGHT = 200, PATIENCE_S = 60 * SLOWER, SEEDS = 2, DARK = 90, SOME = 150 /* pixels */ };
+enum { WIDTH = 320, HEIGHT = 200, SEEDS = 2, DARK = 90, SOME = 150 /* pixels */ };
 
 static const char EXHIBIT[] = "exhibit: 1\n"
                               "display: {width: 530}\n"

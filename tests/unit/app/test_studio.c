@@ -17,7 +17,7 @@
 #include "patience.h"
 #include "studio.h"
 
-enum { SIZE = 96, PATIENCE_MS = 8000 * SLOWER };
+enum { SIZE = 96 };
 
 static const char SCRIPT[] = "frond: 1\n"
                              "canvas: {width: 96, height: 96}\n"

@@ -18,10 +18,11 @@
 #include "hid_mock.h"
 #include "hid_samples.h"
 #include "hid_usage.h"
+#include "patience.h"
 #include "source_hid.h"
 #include "source_queue.h"
 
-enum { PATIENCE_MS = 8000, EVENTS = 64 };
+enum { EVENTS = 64 };
 
 struct bench { /* a mock, a source, and what it said */
     struct hid_mock *mock;
