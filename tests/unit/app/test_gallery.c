@@ -16,6 +16,7 @@
 #include "disk_case.h"
 #include "folder_case.h"
 #include "gallery.h"
+#include "patience.h"
 
 enum { WIDTH = 40, HEIGHT = 30, LIST = 32 };
 
@@ -45,7 +46,7 @@ static struct gallery *open_gallery(const char *folder, int pictures, int64_t by
 static void settle(struct gallery *gallery)
 {
     for (int i = 0; gallery_busy(gallery); i++) {
-        assert_true(i < 5000);
+        assert_true(i < PATIENCE_MS / 2);
         usleep(2000);
     }
 }

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "live_pictures.h"
+#include "patience.h"
 
 enum { FILES = 4 };
 
@@ -99,7 +100,7 @@ static void nap(void)
 /* Asks as often as a kiosk does; the brightness of what comes, -1 when nothing does. */
 static float ask(struct shelf *shelf, bool next, struct action *stock)
 {
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < PATIENCE_MS; i++) {
         if (live_pictures_stock(shelf->pictures, next, stock)) {
             assert_int_equal(stock->verb, ACTION_STOCK);
             assert_int_equal(stock->picture.channels, 1);
@@ -185,11 +186,11 @@ static void a_painting_grows_along_their_edges(void **state)
     struct shelf *shelf = open_shelf(true, &(struct exhibit_scene){.kind = SCENE_PAINTING});
     struct action guide;
     int i = 0;
-    while (i < 3000 && !live_pictures_next(shelf->pictures, &guide)) {
+    while (i < PATIENCE_MS && !live_pictures_next(shelf->pictures, &guide)) {
         nap();
         i++;
     }
-    assert_true(i < 3000 && guide.verb == ACTION_GUIDE && guide.picture.channels == 2);
+    assert_true(i < PATIENCE_MS && guide.verb == ACTION_GUIDE && guide.picture.channels == 2);
     close_shelf(shelf);
 }
 

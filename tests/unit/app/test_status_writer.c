@@ -12,6 +12,7 @@
 #include <cmocka.h>
 #include <json.h>
 
+#include "patience.h"
 #include "status_writer.h"
 
 struct bench {
@@ -62,7 +63,7 @@ static int64_t visits(const struct bench *bench)
 
 static void wait_for(const struct bench *bench, int64_t wanted)
 {
-    for (int i = 0; i < 2500 && visits(bench) != wanted; i++) {
+    for (int i = 0; i < PATIENCE_MS / 2 && visits(bench) != wanted; i++) {
         nap();
     }
     assert_int_equal(visits(bench), wanted);
@@ -83,7 +84,7 @@ static void files_are_whole_and_go_at_the_end(void **state)
     wait_for(bench, 300);
     assert_false(status_writer_due(writer, 300 + STATUS_EVERY_US - 1));
     assert_true(status_writer_due(writer, 300 + STATUS_EVERY_US));
-    for (int i = 0; i < 2500 && access(bench->metrics, R_OK) != 0; i++) {
+    for (int i = 0; i < PATIENCE_MS / 2 && access(bench->metrics, R_OK) != 0; i++) {
         nap();
     }
     assert_int_equal(access(bench->metrics, R_OK), 0);
@@ -94,7 +95,7 @@ static void files_are_whole_and_go_at_the_end(void **state)
 
 static bool log_within(struct status_writer *writer, char *line, int size)
 {
-    for (int i = 0; i < 2500; i++) {
+    for (int i = 0; i < PATIENCE_MS / 2; i++) {
         if (status_writer_log(writer, line, size)) {
             return true;
         }

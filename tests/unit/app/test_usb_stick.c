@@ -17,6 +17,7 @@
 #include "disk_case.h"
 #include "folder_case.h"
 #include "gallery_export.h"
+#include "patience.h"
 #include "usb_stick.h"
 
 enum { PATH_SIZE = 200 };
@@ -133,7 +134,7 @@ static void run_export(char line[EXPORT_LINE])
     struct gallery_export *export = gallery_export_start("g", "stick", EXPORT_FOLDER);
     assert_non_null(export);
     for (int i = 0; !gallery_export_ended(export, line); i++) {
-        assert_true(i < 10000);
+        assert_true(i < PATIENCE_MS);
         usleep(1000);
     }
     char again[EXPORT_LINE];

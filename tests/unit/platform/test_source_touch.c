@@ -17,12 +17,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "patience.h"
 #include "source_queue.h"
 #include "source_touch.h"
 #include "touch_device.h"
 #include "touch_mock.h"
 
-enum { SKIPPED = 77, PATIENCE_MS = 5000 };
+enum { SKIPPED = 77 };
 
 struct bench {
     struct touch_mock *mock;

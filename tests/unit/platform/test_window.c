@@ -19,6 +19,7 @@
 
 #include "display.h"
 #include "display_source.h"
+#include "patience.h"
 #include "pattern.h"
 
 enum { WIDTH = 320, HEIGHT = 200, WIDER = 400, HIGHER = 260 };
@@ -54,7 +55,8 @@ static void turn_loop(struct scene *scene)
 
 static void draw_frames(struct scene *scene, int count)
 {
-    uint64_t until = display_frames(scene->display).presented + (uint64_t)count, end = source_now_us() + 10000000;
+    uint64_t until = display_frames(scene->display).presented + (uint64_t)count,
+             end = source_now_us() + 1000u * (uint64_t)PATIENCE_MS;
     while (display_frames(scene->display).presented < until) {
         assert_true(source_now_us() < end);
         turn_loop(scene);
@@ -63,7 +65,7 @@ static void draw_frames(struct scene *scene, int count)
 
 static bool await_state(struct scene *scene, enum display_state state)
 {
-    uint64_t end = source_now_us() + 3000000;
+    uint64_t end = source_now_us() + 1000u * (uint64_t)PATIENCE_MS;
     while (display_state(scene->display) != state && source_now_us() < end) {
         turn_loop(scene);
     }
@@ -92,7 +94,7 @@ static void use(const char *command)
 
 static bool await_event(struct scene *scene, enum event_kind kind, struct event *event)
 {
-    for (uint64_t end = source_now_us() + 3000000; source_now_us() < end;) {
+    for (uint64_t end = source_now_us() + 1000u * (uint64_t)PATIENCE_MS; source_now_us() < end;) {
         while (display_event(scene->display, event)) {
             if (event->kind == kind) {
                 return true;
@@ -174,7 +176,7 @@ static void it_follows_its_size(void **state)
     assert_captured(&scene);
     snprintf(command, sizeof command, "windowsize --sync %d %d", WIDER, HIGHER);
     use(command);
-    for (uint64_t end = source_now_us() + 3000000;
+    for (uint64_t end = source_now_us() + 1000u * (uint64_t)PATIENCE_MS;
          display_panel(scene.display).width != WIDER && source_now_us() < end;) {
         turn_loop(&scene);
     }
@@ -230,8 +232,8 @@ static void other_devices_end_the_waiting(void **state)
     }
     assert_int_equal(write(ends[1], "x", 1), 1);
     start = source_now_us();
-    display_wait(scene.display, 5000);
-    assert_true(source_now_us() - start < 1000000);
+    display_wait(scene.display, PATIENCE_MS);
+    assert_true(source_now_us() - start < 500u * PATIENCE_MS);
     close(ends[0]);
     close(ends[1]);
     display_destroy(scene.display);
