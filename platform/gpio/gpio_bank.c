@@ -369,14 +369,15 @@ static void check_line(struct gpio_bank *bank, int number)
 
 void bank_check(struct gpio_bank *bank)
 {
-    bool missing = false;
+    bool missing = false, lost = false;
     for (int i = 0; i < bank->count; i++) {
         check_line(bank, i);
     }
     for (int i = 0; i < bank->count; i++) {
         missing |= !bank->lines[i].line;
+        lost |= bank->lines[i].lost;
     }
-    if (missing) {
+    if (missing && !lost) { /* what was lost is let go of first, as on the chip that it was on */
         take_missing(bank);
     }
     bank->retry_us = bank->count > 0 ? bank->ops->now_us(bank->context) + BANK_RETRY_US : 0;
