@@ -288,6 +288,19 @@ static void test_admission(void **state)
     assert_true(bench->events[9].relative);
 }
 
+static void test_bits_beyond_every_report_are_refused(void **state)
+{
+    (void)state;
+    struct device_error error;
+    struct hid_map_entry entry = {.bit = 8 * HID_REPORT_BYTES - 31, .bits = 32, .usage = 0x10036};
+    const struct hid_device_def device = {.match = {.vendor = 1}, .map = &entry, .map_count = 1};
+    const struct source_hid_def def = {.devices = &device, .device_count = 1};
+    assert_null(source_hid_create(&def, &error));
+    entry.bit = UINT32_MAX - 8;
+    assert_null(source_hid_create(&def, &error));
+    assert_non_null(strstr(error.text, "32 bits from bit 4294967287"));
+}
+
 static void test_map_and_lamps(void **state)
 {
     struct bench *bench = *state;
@@ -487,6 +500,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_unplug_and_replug, start, finish),
         cmocka_unit_test_setup_teardown(test_ports_and_silence, start, finish),
         cmocka_unit_test_setup_teardown(test_admission, start, finish),
+        cmocka_unit_test(test_bits_beyond_every_report_are_refused),
         cmocka_unit_test_setup_teardown(test_map_and_lamps, start, finish),
         cmocka_unit_test_setup_teardown(test_stall, start, finish),
         cmocka_unit_test_setup_teardown(test_trouble, start, finish),
