@@ -62,11 +62,7 @@ bool file_fail_code(struct file_error *error, const char *path, int code)
             return file_fail(error, path, "%s", reasons[i].reason);
         }
     }
-    char text[128];
-    if (strerror_r(code, text, sizeof text) != 0) {
-        snprintf(text, sizeof text, "error %d", code);
-    }
-    return file_fail(error, path, "%s", text);
+    return file_fail(error, path, "%s", strerror(code));
 }
 
 bool file_write_whole(int fd, const void *data, size_t size)

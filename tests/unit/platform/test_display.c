@@ -13,6 +13,7 @@
 #include <GLES3/gl31.h>
 
 #include "display.h"
+#include "display_canvas.h"
 #include "display_source.h"
 #include "pattern.h"
 
@@ -219,6 +220,23 @@ static void other_devices_end_the_waiting(void **state)
     display_destroy(display);
 }
 
+static void a_canvas_that_cannot_be_had_leaves_nothing_behind(void **state)
+{
+    (void)state;
+    struct display_def def = display_default_def();
+    struct device_error error;
+    struct display_canvas canvas;
+    def.kind = DISPLAY_HEADLESS;
+    struct display *display = display_create(&def, &error);
+    assert_true(display && display_enter(display));
+    assert_false(display_canvas_make(&canvas, 0, 0));
+    assert_int_equal(canvas.framebuffer + canvas.colour, 0);
+    assert_true(display_canvas_make(&canvas, 1, 1));
+    assert_true(canvas.framebuffer && canvas.colour);
+    display_canvas_drop(&canvas);
+    display_destroy(display);
+}
+
 static void definitions_are_checked(void **state)
 {
     (void)state;
@@ -279,6 +297,7 @@ int main(void)
         cmocka_unit_test(another_thread_shares_buffers),
         cmocka_unit_test(events_wait_until_they_are_asked_for),
         cmocka_unit_test(other_devices_end_the_waiting),
+        cmocka_unit_test(a_canvas_that_cannot_be_had_leaves_nothing_behind),
         cmocka_unit_test(definitions_are_checked),
         cmocka_unit_test(without_a_screen_it_says_why),
         cmocka_unit_test(a_display_says_what_it_is),
