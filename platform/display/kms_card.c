@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +9,8 @@
 
 #include "display_source.h"
 #include "kms_ioctl.h"
+
+enum { CARDS = 64 }; /* minor numbers that the kernel gives them */
 
 void kms_card_close(struct kms_card *card)
 {
@@ -51,17 +52,17 @@ static struct kms_card *open_named(const char *path, const struct kms_wish *wish
 {
     struct kms_card *card = open_path(path, legacy);
     if (!card) {
-        device_fail(error, "kms: %s: %s", path, strerror(errno));
+        device_fail(error, "%s: %s", path, strerror(errno));
         return NULL;
     }
     int code = card->calls->scan(card, true, scan);
     if (code != 0 || scan->connector_count == 0) {
-        device_fail(error, "kms: %s (%s): %s", path, card->driver,
+        device_fail(error, "%s (%s): %s", path, card->driver,
                     code == 0 || code == EOPNOTSUPP ? "it has no connectors, it only renders" : strerror(code));
     } else if (kms_card_score(scan, wish) == 0) {
         char names[KMS_CONNECTORS * KMS_NAME];
         kms_connector_names(scan, names, sizeof names);
-        device_fail(error, "kms: %s (%s): it has no connector %s, but %.120s", path, card->driver,
+        device_fail(error, "%s (%s): it has no connector %s, but %.120s", path, card->driver,
                     wish->connector ? wish->connector : "for a screen", names);
     } else {
         return card;
@@ -76,14 +77,18 @@ static struct kms_card *open_best(const struct kms_wish *wish, bool legacy, stru
 {
     struct kms_card *best = NULL;
     int best_score = 0;
-    glob_t found = {0};
-    device_fail(error, "kms: no /dev/dri/card* on this machine");
-    if (glob("/dev/dri/card*", 0, NULL, &found) != 0) {
-        return NULL;
-    }
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        struct kms_card *card = open_named(found.gl_pathv[i], wish, legacy, scan, error);
+    struct device_error reasons = {""}, why;
+    for (int number = 0; number < CARDS; number++) {
+        char path[32];
+        snprintf(path, sizeof path, "/dev/dri/card%d", number);
+        if (access(path, F_OK) != 0) {
+            continue;
+        }
+        struct kms_card *card = open_named(path, wish, legacy, scan, &why);
         int score = card ? kms_card_score(scan, wish) : 0;
+        if (!card) {
+            device_fail_too(&reasons, &why);
+        }
         if (score > best_score) {
             kms_card_close(best);
             best = card;
@@ -92,7 +97,9 @@ static struct kms_card *open_best(const struct kms_wish *wish, bool legacy, stru
             kms_card_close(card);
         }
     }
-    globfree(&found);
+    if (!best) {
+        device_fail(error, "kms: %.280s", reasons.text[0] ? reasons.text : "no /dev/dri/card* on this machine");
+    }
     return best;
 }
 
@@ -103,7 +110,13 @@ struct kms_card *kms_card_open(const char *path, const struct kms_wish *wish, bo
         device_fail(error, "kms: memory is short");
         return NULL;
     }
-    struct kms_card *card = path ? open_named(path, wish, legacy, scan, error) : open_best(wish, legacy, scan, error);
+    struct kms_card *card = NULL;
+    struct device_error why;
+    if (!path) {
+        card = open_best(wish, legacy, scan, error);
+    } else if (!(card = open_named(path, wish, legacy, scan, &why))) {
+        device_fail(error, "kms: %.280s", why.text);
+    }
     free(scan);
     return card;
 }
