@@ -29,7 +29,9 @@ static struct kms_card *open_path(const char *path, bool legacy)
     }
     struct kms_card *card = &device->card;
     card->calls = &kms_ioctl_calls;
-    snprintf(card->path, sizeof card->path, "%s", path);
+    char *node = realpath(path, NULL); /* of a link in /dev/dri/by-path: sysfs goes by the node's name */
+    snprintf(card->path, sizeof card->path, "%s", node ? node : path);
+    free(node);
     card->fd = open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (card->fd < 0) {
         int code = errno;

@@ -258,6 +258,9 @@ static void definitions_are_checked(void **state)
     def.card = "/dev/dri/card77";
     assert_null(display_create(&def, &error));
     assert_string_equal(error.text, "kms: /dev/dri/card77: No such file or directory");
+    def.card = "/dev/dri/by-path/platform-fd500000.pcie-pci-0000:01:00.0-usb-0:1.2:1.0-card";
+    assert_null(display_create(&def, &error));
+    assert_non_null(strstr(error.text, "-usb-0:1.2:1.0-card: No such file or directory"));
 }
 
 static void without_a_screen_it_says_why(void **state)
