@@ -5,12 +5,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include "display_source.h"
 #include "kms_ioctl.h"
 
-enum { CARDS = 64 }; /* minor numbers that the kernel gives them */
+enum { MAJOR = 226, CARDS = 64 }; /* numbers of the nodes: admin-guide/devices.txt of the kernel */
 
 void kms_card_close(struct kms_card *card)
 {
@@ -29,15 +31,18 @@ static struct kms_card *open_path(const char *path, bool legacy)
     }
     struct kms_card *card = &device->card;
     card->calls = &kms_ioctl_calls;
-    char *node = realpath(path, NULL); /* of a link in /dev/dri/by-path: sysfs goes by the node's name */
-    snprintf(card->path, sizeof card->path, "%s", node ? node : path);
-    free(node);
     card->fd = open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (card->fd < 0) {
         int code = errno;
         free(device);
         errno = code;
         return NULL;
+    }
+    snprintf(card->path, sizeof card->path, "%s", path);
+    struct stat node;
+    if (fstat(card->fd, &node) == 0 && major(node.st_rdev) == MAJOR && minor(node.st_rdev) < CARDS) {
+        /* not that of a link in /dev/dri/by-path: sysfs goes by the name of the node */
+        snprintf(card->path, sizeof card->path, "/dev/dri/card%u", minor(node.st_rdev));
     }
     card->atomic = !legacy && drmSetClientCap(card->fd, DRM_CLIENT_CAP_ATOMIC, 1) == 0;
     drmSetClientCap(card->fd, DRM_CLIENT_CAP_UNIVERSAL_PLANES, 1);
