@@ -1,4 +1,4 @@
-/* Cards that are no use, in a folder of devices that umockdev makes. Cards that are: tests/kernel/display_*. */
+/* Cards that are no use, and news of wires, as umockdev makes them. Cards that are of use: tests/kernel/display_*. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -6,6 +6,7 @@
 
 #include <cmocka.h>
 
+#include <poll.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -13,6 +14,7 @@
 #include <umockdev.h>
 
 #include "kms_card.h"
+#include "kms_watch.h"
 
 static void put_card(UMockdevTestbed *bed, const char *name)
 {
@@ -43,8 +45,31 @@ static void every_card_says_why_it_is_not_taken(void **state)
     g_object_unref(bed);
 }
 
+static void what_is_plugged_in_or_out_is_heard_of(void **state)
+{
+    (void)state;
+    UMockdevTestbed *bed = umockdev_testbed_new();
+    char *card = umockdev_testbed_add_device(bed, "drm", "card0", NULL, NULL, "DEVTYPE", "drm_minor", NULL);
+    struct kms_watch *watch = kms_watch_create();
+    assert_non_null(watch);
+    assert_false(kms_watch_read(watch));
+    umockdev_testbed_uevent(bed, card, "change");
+    assert_int_equal(poll(&(struct pollfd){.fd = kms_watch_fd(watch), .events = POLLIN}, 1, 5000), 1);
+    assert_true(kms_watch_read(watch));
+    assert_false(kms_watch_read(watch));
+    kms_watch_destroy(watch);
+    assert_int_equal(kms_watch_fd(NULL), -1);
+    assert_false(kms_watch_read(NULL));
+    kms_watch_destroy(NULL);
+    g_free(card);
+    g_object_unref(bed);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_card_says_why_it_is_not_taken)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_card_says_why_it_is_not_taken),
+        cmocka_unit_test(what_is_plugged_in_or_out_is_heard_of),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

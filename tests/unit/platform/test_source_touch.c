@@ -15,6 +15,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "seat_hold.h"
 #include "source_queue.h"
 #include "source_touch.h"
 #include "touch_mock.h"
@@ -259,6 +260,23 @@ static void test_a_touchpad_is_no_screen(void **state)
     expect(bench, EVENT_DOWN, 0, .2f, .2f);
 }
 
+/* Of a console that is one: tests/kernel/touch. */
+static void test_a_console_that_cannot_be_held_is_said(void **state)
+{
+    (void)state;
+    static struct source_queue queue;
+    char line[SOURCE_LOG_LENGTH];
+    struct seat_hold *hold = seat_hold_create("/dev/null", &queue);
+    assert_non_null(hold);
+    assert_int_equal(seat_hold_sweep(hold), 0);
+    seat_hold_destroy(hold);
+    assert_true(source_take_line(&queue, line, sizeof line));
+    assert_string_equal(line, "console /dev/null still takes keys: Inappropriate ioctl for device (the unit wants "
+                              "TTYPath=/dev/null, or its process CAP_SYS_TTY_CONFIG)");
+    seat_hold_destroy(seat_hold_create("/dev/no-such-console", &queue)); /* a kernel without VTs */
+    assert_false(source_take_line(&queue, line, sizeof line));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -267,6 +285,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_only_what_is_admitted, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_a_touchpad_is_no_screen, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_no_permission_says_what_to_do, set_up, tear_down),
+        cmocka_unit_test(test_a_console_that_cannot_be_held_is_said),
     };
     if (!touch_mock_isolate()) {
         printf("SKIPPED: a /run of its own (unshare, mount) is not permitted here: %s\n", strerror(errno));
