@@ -14,6 +14,7 @@
 
 #include "display.h"
 #include "display_canvas.h"
+#include "display_egl.h"
 #include "display_source.h"
 #include "pattern.h"
 
@@ -220,7 +221,7 @@ static void other_devices_end_the_waiting(void **state)
     display_destroy(display);
 }
 
-static void a_canvas_that_cannot_be_had_leaves_nothing_behind(void **state)
+static void what_cannot_be_had_leaves_a_reason_and_nothing_else(void **state)
 {
     (void)state;
     struct display_def def = display_default_def();
@@ -229,6 +230,10 @@ static void a_canvas_that_cannot_be_had_leaves_nothing_behind(void **state)
     def.kind = DISPLAY_HEADLESS;
     struct display *display = display_create(&def, &error);
     assert_true(display && display_enter(display));
+    EGLint value;
+    assert_string_equal(display_egl_reason(), "no reason given");
+    assert_false(eglQueryContext(eglGetCurrentDisplay(), eglGetCurrentContext(), EGL_NONE, &value));
+    assert_string_equal(display_egl_reason(), "0x3004 (EGL_BAD_ATTRIBUTE)");
     assert_false(display_canvas_make(&canvas, 0, 0));
     assert_int_equal(canvas.framebuffer + canvas.colour, 0);
     assert_true(display_canvas_make(&canvas, 1, 1));
@@ -300,7 +305,7 @@ int main(void)
         cmocka_unit_test(another_thread_shares_buffers),
         cmocka_unit_test(events_wait_until_they_are_asked_for),
         cmocka_unit_test(other_devices_end_the_waiting),
-        cmocka_unit_test(a_canvas_that_cannot_be_had_leaves_nothing_behind),
+        cmocka_unit_test(what_cannot_be_had_leaves_a_reason_and_nothing_else),
         cmocka_unit_test(definitions_are_checked),
         cmocka_unit_test(without_a_screen_it_says_why),
         cmocka_unit_test(a_display_says_what_it_is),
