@@ -19,6 +19,7 @@
 
 #include "display.h"
 #include "display_source.h"
+#include "display_window_input.h"
 #include "patience.h"
 #include "pattern.h"
 
@@ -209,6 +210,19 @@ static void the_mouse_is_a_finger(void **state)
     display_destroy(scene.display);
 }
 
+static void a_mouse_that_leaves_stops_at_the_edge(void **state)
+{
+    (void)state;
+    struct window_input input = {.pressed = false};
+    struct event finger;
+    SDL_Event event = {.button = {.type = SDL_MOUSEBUTTONDOWN, .button = SDL_BUTTON_LEFT, .x = 9, .y = 19}};
+    assert_true(window_input_take(&input, &event, 100, 100, &finger));
+    assert_true(finger.x == .095f && finger.y == .195f);
+    event = (SDL_Event){.motion = {.type = SDL_MOUSEMOTION, .x = -40, .y = 130}};
+    assert_true(window_input_take(&input, &event, 100, 100, &finger));
+    assert_true(finger.x == 0 && finger.y == 1);
+}
+
 static void push_window(Uint8 what)
 {
     SDL_Event event = {.window = {.type = SDL_WINDOWEVENT, .windowID = 1, .event = what}};
@@ -378,6 +392,7 @@ int main(void)
         cmocka_unit_test(the_server_shows_it_too),
         cmocka_unit_test(it_follows_its_size),
         cmocka_unit_test(the_mouse_is_a_finger),
+        cmocka_unit_test(a_mouse_that_leaves_stops_at_the_edge),
         cmocka_unit_test(fingers_have_slots),
         cmocka_unit_test(other_devices_end_the_waiting),
         cmocka_unit_test(it_hides_fills_the_screen_and_closes),
