@@ -31,8 +31,8 @@ struct shelf {
 };
 
 /* Grey as its letter, 0.1 for a; "wide" is larger than what is given. */
-static bool load(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
-                 size_t size)
+static bool load(void *data, const char *folder, const char *path, struct script_picture *picture,
+                 struct file_error *error)
 {
     struct shelf *shelf = data;
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
@@ -40,7 +40,7 @@ static bool load(void *data, const char *folder, const char *path, struct script
     (void)folder;
     atomic_fetch_add(&shelf->loads, 1);
     if (strcmp(name, "broken.png") == 0) {
-        snprintf(error, size, "'%s' is broken", path);
+        snprintf(error->text, sizeof error->text, "'%s' is broken", path);
         return false;
     }
     *picture = (struct script_picture){wide ? 3000 : 30, wide ? 1500 : 20, 1, NULL};

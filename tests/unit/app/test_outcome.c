@@ -36,11 +36,11 @@ static void write_text(const char *name, const char *text)
 }
 
 /* A picture that is dark on the left. */
-static bool load(void *data, const char *in, const char *path, struct script_picture *picture, char *error, size_t size)
+static bool load(void *data, const char *in, const char *path, struct script_picture *picture, struct file_error *error)
 {
     (void)data, (void)in;
     if (strcmp(path, "half.png") != 0) {
-        snprintf(error, size, "'%s' is not there; a picture", path);
+        snprintf(error->text, sizeof error->text, "'%s' is not there; a picture", path);
         return false;
     }
     *picture = (struct script_picture){SIDE, SIDE, 1, calloc(SIDE * SIDE, sizeof(float))};

@@ -20,9 +20,9 @@
 
 static int open_from(const char *folder, const char *path)
 {
-    char error[300] = "";
-    int fd = beneath_open(folder, path, "a picture", error, sizeof error);
-    assert_true(fd >= 0 || *error);
+    struct file_error error = {""};
+    int fd = beneath_open(folder, path, "a picture", &error);
+    assert_true(fd >= 0 || error.text[0]);
     return fd;
 }
 
