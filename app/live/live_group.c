@@ -37,7 +37,6 @@ static void open_broker(struct live_group *group, const struct exhibit *exhibit)
     group->broker = broker_create(&def, &error);
     group->said_us = 0;
     if (!group->broker) {
-        group->mark = 0; /* the next exhibit tries again: what was missing may be there */
         snprintf(group->line, sizeof group->line, "broker %.100s: %.200s", mqtt->host, error.text);
         group->has_line = true;
     }

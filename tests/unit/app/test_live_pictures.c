@@ -16,6 +16,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "live_pictures.h"
 
 enum { FILES = 4 };
@@ -23,7 +24,7 @@ enum { FILES = 4 };
 static const char *const NAMES[FILES] = {"a.png", "b.png", "broken.png", "c.png"};
 
 struct shelf {
-    char folder[64];
+    char folder[FOLDER_CASE_PATH];
     atomic_int loads;
     struct exhibit exhibit;
     struct exhibit_scene painting, trees, own;
@@ -57,14 +58,12 @@ static struct shelf *open_shelf(bool folder, const struct exhibit_scene *scene)
     struct shelf *shelf = calloc(1, sizeof *shelf);
     char path[128];
     assert_non_null(shelf);
-    strcpy(shelf->folder, "/tmp/frond-shelf-XXXXXX");
-    assert_non_null(mkdtemp(shelf->folder));
+    assert_true(folder_case_make(shelf->folder));
     snprintf(path, sizeof path, "%s/in", shelf->folder);
     assert_int_equal(mkdir(path, 0700), 0);
     for (int i = 0; i < FILES; i++) {
         snprintf(path, sizeof path, "%s/in/%s", shelf->folder, NAMES[i]);
-        int fd = open(path, O_WRONLY | O_CREAT, 0600);
-        assert_true(fd >= 0 && close(fd) == 0);
+        assert_true(folder_case_put(path, ""));
     }
     shelf->exhibit.folder = shelf->folder;
     shelf->exhibit.pictures = folder ? "in" : NULL;
@@ -80,14 +79,8 @@ static struct shelf *open_shelf(bool folder, const struct exhibit_scene *scene)
 
 static void close_shelf(struct shelf *shelf)
 {
-    char path[128];
     live_pictures_destroy(shelf->pictures);
-    for (int i = 0; i < FILES; i++) {
-        snprintf(path, sizeof path, "%s/in/%s", shelf->folder, NAMES[i]);
-        assert_int_equal(remove(path), 0);
-    }
-    snprintf(path, sizeof path, "%s/in", shelf->folder);
-    assert_int_equal(rmdir(path) || rmdir(shelf->folder), 0);
+    assert_true(folder_case_remove(shelf->folder));
     free(shelf);
 }
 

@@ -16,6 +16,7 @@
 
 #include "beneath.h"
 #include "fit.h"
+#include "folder_case.h"
 #include "session.h"
 
 static int open_from(const char *folder, const char *path)
@@ -51,22 +52,17 @@ static void any_folder_reaches_them(void **state)
 static void a_folder_of_that_name_comes_first(void **state)
 {
     (void)state;
-    char folder[] = "/tmp/frond-stock-XXXXXX", path[64], byte = 0;
-    assert_non_null(mkdtemp(folder));
+    char folder[FOLDER_CASE_PATH], path[96], byte = 0;
+    assert_true(folder_case_make(folder));
     snprintf(path, sizeof path, "%s/stock", folder);
     assert_int_equal(mkdir(path, 0700), 0);
     snprintf(path, sizeof path, "%s/stock/cat.png", folder);
-    int fd = open(path, O_WRONLY | O_CREAT, 0600);
-    assert_int_equal(write(fd, "!", 1), 1);
-    close(fd);
-    fd = open_from(folder, "stock/cat.png");
+    assert_true(folder_case_put(path, "!"));
+    int fd = open_from(folder, "stock/cat.png");
     assert_int_equal(read(fd, &byte, 1), 1);
     assert_int_equal(byte, '!');
     close(fd);
-    assert_int_equal(remove(path), 0);
-    snprintf(path, sizeof path, "%s/stock", folder);
-    assert_int_equal(rmdir(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    assert_true(folder_case_remove(folder));
 }
 
 /* Every one can be read, and has lights and darks enough to grow over. */
