@@ -13,12 +13,13 @@
 
 #include "display.h"
 #include "engine_choice.h"
+#include "folder_case.h"
 
 static const char A_GPU[] = "a GPU"; /* whatever draws here is taken for one, and timed */
 
 struct bench_place {
     struct display *display;
-    char folder[64], path[128];
+    char folder[FOLDER_CASE_PATH], path[128];
 };
 
 /* Of all threads: what others do on the machine does not count. */
@@ -36,10 +37,9 @@ static int set_up(void **state)
     struct device_error error;
     def.kind = DISPLAY_HEADLESS;
     def.width = def.height = 16;
-    snprintf(place->folder, sizeof place->folder, "/tmp/frond-choice-XXXXXX");
     place->display = display_create(&def, &error);
     *state = place;
-    if (!place->display || !mkdtemp(place->folder)) {
+    if (!place->display || !folder_case_make(place->folder)) {
         return -1;
     }
     snprintf(place->path, sizeof place->path, "%s/engines.json", place->folder);
@@ -49,11 +49,10 @@ static int set_up(void **state)
 static int tear_down(void **state)
 {
     struct bench_place *place = *state;
-    unlink(place->path);
-    rmdir(place->folder);
+    bool good = folder_case_remove(place->folder);
     display_destroy(place->display);
     free(place);
-    return 0;
+    return good ? 0 : -1;
 }
 
 static struct painting_def small_sheet(void)

@@ -13,10 +13,11 @@
 #include <time.h>
 
 #include "exhibit_watch.h"
+#include "folder_case.h"
 #include "patience.h"
 
 struct place {
-    char folder[64], path[128];
+    char folder[FOLDER_CASE_PATH], path[128];
     struct exhibit *exhibit;
     struct exhibit_watch *watch;
 };
@@ -25,10 +26,7 @@ static void write_file(const struct place *place, const char *name, const char *
 {
     char path[256];
     snprintf(path, sizeof path, "%s/%s", place->folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 static uint64_t now_us(void)
@@ -40,10 +38,10 @@ static uint64_t now_us(void)
 
 static struct place begin(void)
 {
-    struct place place = {.folder = "/tmp/frond-exhibit-XXXXXX"};
+    struct place place = {.exhibit = NULL};
     struct script_def def = script_default_def();
     struct report report;
-    assert_non_null(mkdtemp(place.folder));
+    assert_true(folder_case_make(place.folder));
     snprintf(place.path, sizeof place.path, "%s/exhibit.yaml", place.folder);
     write_file(&place, "exhibit.yaml", "exhibit: 1\nsessions: [play.yaml]\n");
     write_file(&place, "play.yaml", "frond: 1\nactions: [{tick: 0, drop: {at: [0.5, 0.5], ink: turquoise}}]\n");
@@ -59,11 +57,9 @@ static struct place begin(void)
 
 static void end(struct place *place)
 {
-    char command[200];
     exhibit_watch_destroy(place->watch);
     exhibit_destroy(place->exhibit);
-    snprintf(command, sizeof command, "rm -r %s", place->folder);
-    assert_int_equal(system(command), 0); /* NOLINT(cert-env33-c): a folder of our own */
+    assert_true(folder_case_remove(place->folder));
 }
 
 /* The news within `ms`, as a kiosk looks for them; what was read becomes the place's. */

@@ -317,6 +317,9 @@ static void only_so_many_wait(void **state)
         taken += gallery_keep(gallery, &picture);
     }
     assert_in_range(taken, GALLERY_WAITING, GALLERY_WAITING + 2);
+    char line[GALLERY_LINE];
+    assert_true(gallery_log(gallery, line));
+    assert_string_equal(line, "gallery: 2 pictures wait to be written; one more is not kept");
     gallery_destroy(gallery); /* what was taken is written */
     gallery = open_gallery("g", 20, 1 << 20);
     settle(gallery);

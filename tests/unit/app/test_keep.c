@@ -20,6 +20,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "journal_file.h"
 #include "keep_case.h"
 #include "keep_files.h"
@@ -36,36 +37,6 @@ static int free_table(void **state)
 {
     free(*state);
     return 0;
-}
-
-static int enter_folder(void **state)
-{
-    (void)state;
-    char folder[] = "/tmp/frond-keep-XXXXXX";
-    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
-}
-
-static void empty(const char *path)
-{
-    DIR *all = opendir(path);
-    struct dirent *entry;
-    char name[600];
-    while (all && (entry = readdir(all))) {
-        snprintf(name, sizeof name, "%s/%s", path, entry->d_name);
-        unlink(name);
-    }
-    if (all) {
-        closedir(all);
-    }
-    rmdir(path);
-}
-
-static int leave_folder(void **state)
-{
-    (void)state;
-    char folder[256];
-    empty("state");
-    return getcwd(folder, sizeof folder) && chdir("/") == 0 && rmdir(folder) == 0 ? 0 : -1;
 }
 
 static void nap(int ms)
@@ -559,8 +530,6 @@ static void a_long_journal_is_given_up(void **state)
     keep_found_finish(&found);
     keep_case_close(&one);
 }
-
-#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
 
 int main(void)
 {

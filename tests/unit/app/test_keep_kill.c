@@ -6,9 +6,7 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <dirent.h>
 #include <signal.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -16,6 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "keep_case.h"
 #include "patience.h"
 #include "player.h"
@@ -186,29 +185,11 @@ static void the_painting_survives_every_kill(void **state)
 
 static int set_up(void **state)
 {
-    char folder[] = "/tmp/frond-kill-XXXXXX";
     struct place *place = *state;
     place->shared = mmap(NULL, sizeof *place->shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     place->dice = (uint32_t)getpid();
-    return place->shared != MAP_FAILED && keep_case_paint(&place->table) && mkdtemp(folder) && chdir(folder) == 0 ? 0
-                                                                                                                  : -1;
-}
-
-static int tear_down(void **state)
-{
-    char folder[256], name[600];
-    DIR *all = opendir("state");
-    struct dirent *entry;
-    (void)state;
-    while (all && (entry = readdir(all))) {
-        snprintf(name, sizeof name, "state/%s", entry->d_name);
-        unlink(name);
-    }
-    if (all) {
-        closedir(all);
-    }
-    rmdir("state");
-    return getcwd(folder, sizeof folder) && chdir("/") == 0 && rmdir(folder) == 0 ? 0 : -1;
+    bool good = place->shared != MAP_FAILED && keep_case_paint(&place->table);
+    return good ? folder_case_enter(state) : -1;
 }
 
 int main(int argc, char *argv[])
@@ -216,7 +197,7 @@ int main(int argc, char *argv[])
     static struct place place;
     place.kills = argc > 1 ? atoi(argv[1]) : KILLS;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate_setup_teardown(the_painting_survives_every_kill, set_up, tear_down, &place),
+        cmocka_unit_test_prestate_setup_teardown(the_painting_survives_every_kill, set_up, folder_case_leave, &place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,18 +12,18 @@
 #include <cmocka.h>
 #include <json.h>
 
+#include "folder_case.h"
 #include "patience.h"
 #include "status_writer.h"
 
 struct bench {
-    char folder[64], json[128], metrics[128];
+    char folder[FOLDER_CASE_PATH], json[128], metrics[128];
 };
 
 static int set_up(void **state)
 {
     struct bench *bench = calloc(1, sizeof *bench);
-    snprintf(bench->folder, sizeof bench->folder, "/tmp/frond-test-status-XXXXXX");
-    if (!mkdtemp(bench->folder)) {
+    if (!folder_case_make(bench->folder)) {
         return -1;
     }
     snprintf(bench->json, sizeof bench->json, "%s/%s", bench->folder, STATUS_JSON);

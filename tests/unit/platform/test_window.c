@@ -13,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <GLES3/gl31.h>
@@ -385,9 +386,68 @@ static void another_thread_shares_textures(void **state)
     display_destroy(scene.display);
 }
 
+/* A server of its own; its name goes to `name`, ":1". */
+static pid_t start_server(char name[16])
+{
+    int ends[2];
+    assert_int_equal(pipe(ends), 0);
+    pid_t server = fork();
+    if (server == 0) {
+        char descriptor[16];
+        snprintf(descriptor, sizeof descriptor, "%d", ends[1]);
+        assert_non_null(freopen("/dev/null", "w", stderr)); /* of displays that others have */
+        execlp("Xvfb", "Xvfb", "-displayfd", descriptor, "-screen", "0", "640x480x24", (char *)NULL);
+        _exit(127);
+    }
+    close(ends[1]);
+    FILE *said = fdopen(ends[0], "r");
+    assert_true(server > 0 && said && fgets(name + 1, 15, said));
+    name[0] = ':';
+    name[strcspn(name, "\n")] = '\0';
+    fclose(said);
+    return server;
+}
+
+enum { IN_ORDER = 42 };
+
+/* In a process of its own: Xlib would end it. */
+static void outlive(pid_t server, const char *name)
+{
+    struct scene scene;
+    uint64_t end = source_now_us() + 10000000;
+    setenv("DISPLAY", name, 1);
+    alarm(30); /* it hangs */
+    open_scene(&scene, DISPLAY_WINDOW, 0);
+    draw_frames(&scene, 2);
+    kill(server, SIGKILL);
+    while (!display_closed(scene.display) && source_now_us() < end) {
+        turn_loop(&scene);
+    }
+    bool told = strstr(display_describe(scene.display), "the desktop has gone");
+    bool closed = display_closed(scene.display) && !display_begin(scene.display);
+    display_destroy(scene.display);
+    _exit(closed && told ? IN_ORDER : 1);
+}
+
+static void it_outlives_its_desktop(void **state) /* the first: nothing of SDL is in this process yet */
+{
+    (void)state;
+    char name[16];
+    int status = 0;
+    pid_t server = start_server(name), child = fork();
+    if (child == 0) {
+        outlive(server, name);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    kill(server, SIGKILL);
+    waitpid(server, NULL, 0);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == IN_ORDER);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_outlives_its_desktop),
         cmocka_unit_test(a_window_shows_what_is_drawn),
         cmocka_unit_test(the_server_shows_it_too),
         cmocka_unit_test(it_follows_its_size),
