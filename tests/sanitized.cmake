@@ -32,6 +32,7 @@ function(frond_sanitized)
         # Libraries that were not built so: umockdev's comes before the sanitizer's, Mesa, D-Bus and fontconfig keep what they
         # have until the end, and all of them wait in ways that only they know.
         set_property(TEST ${test} APPEND PROPERTY ENVIRONMENT
+            FROND_PATIENCE=${patience} # for scripts; programs have tests/unit/cases/patience.h
             ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:verify_asan_link_order=0
             UBSAN_OPTIONS=print_stacktrace=1
             LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0

@@ -15,6 +15,7 @@ XDG_STATE_HOME=$work/state
 export XDG_STATE_HOME
 unset STATE_DIRECTORY
 timeout=$(command -v timeout) || exit 1 # scripts may take away the PATH
+patience=${FROND_PATIENCE:-1} # how much longer everything takes here: tests/sanitized.cmake
 failures=0
 
 fail() {
@@ -40,7 +41,7 @@ expect() {
     wanted=$1
     shift
     last="frond $*"
-    "$timeout" 200 "$frond" "$@" >out.txt 2>err.txt </dev/null
+    "$timeout" $((200 * patience)) "$frond" "$@" >out.txt 2>err.txt </dev/null
     status=$?
     [ "$status" -eq "$wanted" ] || fail "$last: exit status $status, not $wanted"
 }
@@ -53,17 +54,28 @@ says_line() { # a line of stderr, as a basic regular expression
     grep -q -- "^$1\$" err.txt || fail "$last: does not say: $1"
 }
 
-# wait_for PATTERN TENTHS [FILE]: until a line of stderr, or of FILE, says so, for at most so many tenths of a second.
-wait_for() {
-    left=$2
-    until grep -q -- "$1" "${3-err.txt}" 2>/dev/null; do
+# wait_until TENTHS WHAT COMMAND...: until the command succeeds, for at most so many tenths of a second; WHAT is wrong then.
+wait_until() {
+    left=$(($1 * patience))
+    what=$2
+    shift 2
+    until "$@"; do
         left=$((left - 1))
         [ "$left" -gt 0 ] || {
-            fail "${3-err.txt} never said: $1"
+            fail "$what"
             return 1
         }
         sleep 0.1
     done
+}
+
+# wait_for PATTERN TENTHS [FILE]: until a line of stderr, or of FILE, says so.
+wait_for() {
+    wait_until "$2" "${3-err.txt} never said: $1" grep -qs -- "$1" "${3-err.txt}"
+}
+
+says_times() { # says_times PATTERN COUNT: at least so many lines of stderr
+    [ "$(grep -c -- "$1" err.txt)" -ge "$2" ]
 }
 
 size_of() { # WIDTHxHEIGHT of a PNG, from its header

@@ -47,7 +47,7 @@ begin_broker() {
 client() { # client PROGRAM ARGUMENTS: as the staff does it
     program=$1
     shift
-    timeout 10 "$program" -h localhost -p "$port" --cafile ca.pem --cert hall.pem --key hall.key -u staff -P secret "$@"
+    timeout $((10 * patience)) "$program" -h localhost -p "$port" --cafile ca.pem --cert hall.pem --key hall.key -u staff -P secret "$@"
 }
 command -v mosquitto_sub >/dev/null || skip "no mosquitto_sub: apt-get install mosquitto-clients"
 exhibit() { # exhibit CREDENTIALS CA
@@ -65,7 +65,7 @@ YAML
 : >broker.log
 exhibit wrong.txt ca.pem
 "$frond" check own.yaml || fail "the exhibit is wrong"
-timeout 100 "$frond" run own.yaml --display headless --mode 160x100 --engine cpu --full --rate 240 --state state >out.txt 2>err.txt </dev/null &
+timeout $((100 * patience)) "$frond" run own.yaml --display headless --mode 160x100 --engine cpu --full --rate 240 --state state >out.txt 2>err.txt </dev/null &
 running=$!
 # No broker yet: said, and nothing else comes of it.
 wait_for "broker localhost: cannot be reached" 100
@@ -97,45 +97,24 @@ wait_for "museum/frond/all/scene says 'dusk'" 50
 client mosquitto_pub -t museum/frond/hall/hours -m closed
 wait_for "visit [0-9]*: closed" 50
 client mosquitto_pub -t museum/frond/hall/hours -m schedule
-left=40
-until [ "$(grep -c 'visit [0-9]*: attract' err.txt)" -ge 2 ]; do
-    left=$((left - 1))
-    [ "$left" -gt 0 ] || {
-        fail "it stays closed"
-        break
-    }
-    sleep 0.1
-done
-left=20
-until client mosquitto_sub -t museum/frond/hall/status -C 1 | grep -q '"scene":"dusk"'; do
-    left=$((left - 1))
-    [ "$left" -gt 0 ] || {
-        fail "the scene stays"
-        break
-    }
-    sleep 0.5
-done
+wait_until 40 "it stays closed" says_times 'visit [0-9]*: attract' 2
+at_dusk() {
+    client mosquitto_sub -t museum/frond/hall/status -C 1 | grep -q '"scene":"dusk"'
+}
+wait_until 100 "the scene stays" at_dusk
 
 # The broker goes and comes.
 kill "$broker"
 wait "$broker" 2>/dev/null
 wait_for "broker localhost: lost" 50
 begin_broker
-left=100
-until [ "$(grep -c 'broker localhost: connected' err.txt)" -ge 2 ]; do
-    left=$((left - 1))
-    [ "$left" -gt 0 ] || {
-        fail "it does not come back"
-        break
-    }
-    sleep 0.1
-done
+wait_until 100 "it does not come back" says_times 'broker localhost: connected' 2
 # Goodbye, and the last will.
 kill -TERM "$running"
 wait "$running" || fail "it ended with status $?"
 running=
 [ "$(client mosquitto_sub -t museum/frond/hall/alive -C 1)" = 0 ] || fail "it is still alive"
-timeout 60 "$frond" run own.yaml --display headless --mode 160x100 --engine cpu --state state >out.txt 2>err.txt </dev/null &
+timeout $((60 * patience)) "$frond" run own.yaml --display headless --mode 160x100 --engine cpu --state state >out.txt 2>err.txt </dev/null &
 running=$!
 wait_for "broker localhost: connected" 100
 sleep 0.3

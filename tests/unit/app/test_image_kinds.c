@@ -45,7 +45,7 @@ static void put_chunk(FILE *out, const char *name, const uint8_t *bytes, uint32_
 {
     uint8_t head[8] = {(uint8_t)(size >> 24), (uint8_t)(size >> 16), (uint8_t)(size >> 8), (uint8_t)size};
     memcpy(head + 4, name, 4);
-    uint32_t sum = (uint32_t)crc32(crc32(0, head + 4, 4), size ? bytes : head, size);
+    uint32_t sum = (uint32_t)crc32(crc32(0, head + 4, 4), bytes, size);
     uint8_t tail[4] = {(uint8_t)(sum >> 24), (uint8_t)(sum >> 16), (uint8_t)(sum >> 8), (uint8_t)sum};
     fwrite(head, 1, 8, out);
     fwrite(bytes, 1, size, out);
@@ -93,7 +93,7 @@ static void make_png(const struct png *png)
         put_chunk(to, "tRNS", png->clear, (uint32_t)png->colours);
     }
     put_chunk(to, "IDAT", out, (uint32_t)packed);
-    put_chunk(to, "IEND", NULL, 0);
+    put_chunk(to, "IEND", head, 0);
     assert_int_equal(fclose(to), 0);
     free(raw);
     free(out);

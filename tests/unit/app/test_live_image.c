@@ -42,8 +42,9 @@ static bool lay_half(void *scene, int64_t now, int width, int height, uint8_t *r
     uint8_t *dish = calloc((size_t)width * (size_t)height, 3);
     bool good = dish && dish_type.lay(scene, now, width, height, dish);
     for (int i = 0; i < 3 * width * height && good; i++) {
-        bool left = i / 3 % width < width / 2;
-        rgb[i] = left ? (uint8_t)((rgb[i] + dish[i]) / 2) : rgb[i];
+        if (i / 3 % width < width / 2) {
+            rgb[i] = (uint8_t)((rgb[i] + dish[i]) / 2);
+        }
     }
     free(dish);
     return good;

@@ -72,7 +72,7 @@ static void fast_is_plain(void **state)
                 assert_true(gray_scott_step_reference(plain));
             }
             for (int i = 0; i < 3; i++) {
-                struct gray_scott *fast = seeded(SIZES[size][0], SIZES[size][1], &def, 1 + i, WIDTHS[i]);
+                struct gray_scott *fast = seeded(SIZES[size][0], SIZES[size][1], &def, 3 - i, WIDTHS[i]);
                 gray_scott_step(fast, 5 + i);
                 gray_scott_step(fast, 38 - i);
                 assert_same(plain, fast);
@@ -96,11 +96,11 @@ static void general_is_the_same(void **state)
     def.noise_size = 30;
     def.noise_speed = 3;
     def.boundary = BOUNDARY_NO_FLUX;
-    struct gray_scott *first = seeded(90, 70, &def, 1, VECTORS_NARROW);
+    struct gray_scott *first = seeded(90, 70, &def, 1, VECTORS_BEST);
     assert_false(gray_scott_step_reference(first));
     gray_scott_step(first, 70);
     assert_true(sums_of(first).v > 1);
-    for (int i = 1; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
         struct gray_scott *other = seeded(90, 70, &def, 3, WIDTHS[i]);
         gray_scott_step(other, 70);
         assert_same(first, other);

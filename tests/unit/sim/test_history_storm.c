@@ -11,6 +11,7 @@
 #include "coefficients.h"
 #include "history_case.h"
 #include "key.h"
+#include "vectors_seen.h"
 
 /* The thread sanitizer takes forty times as long, and sees as much in a short storm. */
 #ifdef SANITIZED_THREAD
@@ -69,6 +70,7 @@ static uint64_t storm_hash(int threads, bool dense, bool quick, uint32_t seed)
     struct painting_def def = sheet_def();
     struct history_def history = history_default_def();
     def.threads = threads;
+    def.vectors = VECTORS_SEEN;
     def.dense = dense;
     history.bytes = quick ? 1 << 20 : 4 << 20;
     history.interval = quick ? 7 : 60;

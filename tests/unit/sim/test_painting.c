@@ -9,6 +9,8 @@
 #include <stdlib.h>
 
 #include "painting.h"
+#include "patience.h"
+#include "vectors_seen.h"
 
 /* A change of the model changes these. Look at the contact sheets, then set them anew from what the test prints. */
 #define GOLDEN_ONE_DROP 0x82830d99530877f2u
@@ -20,12 +22,6 @@ static struct action drop_at(float x, float y, int ink)
     drop.ink = ink;
     return drop;
 }
-
-#ifdef SANITIZED /* which may see no other kernels (sim/CMakeLists.txt) */
-static const enum vectors VECTORS_SEEN = VECTORS_NARROW;
-#else
-static const enum vectors VECTORS_SEEN = VECTORS_BEST;
-#endif
 
 static struct painting *one_drop(struct painting_def def, int ticks)
 {
@@ -212,10 +208,11 @@ int main(void)
         cmocka_unit_test(stays_within_its_memory),
         cmocka_unit_test(sleeps_where_nothing_happens),
     };
+    if (!is_whole()) { /* long, and nothing in it that the others do not call */
+        cmocka_set_skip_filter("follows_the_reference_run");
 #ifdef SANITIZED_THREAD /* a hundred times slower there: the shortest that has three threads on one sheet */
-    cmocka_set_test_filter("is_the_same_across_wide_runs");
-#elif defined SANITIZED /* long, and nothing in it that the others do not call */
-    cmocka_set_skip_filter("follows_the_reference_run");
+        cmocka_set_test_filter("is_the_same_across_wide_runs");
 #endif
+    }
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
