@@ -5,6 +5,9 @@
 
 #include "memory.h"
 
+/* The loops over all nodes are compiled once for each metric. */
+#define ALWAYS __attribute__((always_inline)) static inline
+
 enum { REPLAN_PART = 6 };
 
 const char *const metric_names[METRICS + 1] = {"cumulative", "partial", "weighted", "full", NULL};
@@ -58,7 +61,7 @@ uint64_t routes_sum(const struct routes *routes, int32_t node)
 }
 
 /* What the frontier is sorted by. */
-static inline uint64_t key_of(const struct routes *routes, enum metric metric, uint64_t label)
+ALWAYS uint64_t key_of(const struct routes *routes, enum metric metric, uint64_t label)
 {
     if (metric != METRIC_WEIGHTED) {
         return label;
@@ -67,7 +70,7 @@ static inline uint64_t key_of(const struct routes *routes, enum metric metric, u
     return maximum * (uint64_t)(ROUTES_AXIS * routes->emphasis) + sum;
 }
 
-static inline bool comes_before(const struct routes *routes, enum metric metric, uint64_t a, uint64_t b)
+ALWAYS bool comes_before(const struct routes *routes, enum metric metric, uint64_t a, uint64_t b)
 {
     if (metric != METRIC_WEIGHTED || b == ROUTES_UNKNOWN) {
         return a < b;
@@ -77,7 +80,7 @@ static inline bool comes_before(const struct routes *routes, enum metric metric,
 }
 
 /* The edge from a node of a lattice in direction d, followed away from the seeds; `counted` in sums. 0: a wall. */
-static inline uint32_t step_cost(const struct lattice *lattice, int32_t node, int d, uint32_t *counted)
+ALWAYS uint32_t step_cost(const struct lattice *lattice, int32_t node, int d, uint32_t *counted)
 {
     uint32_t there = lattice->weight[node + lattice->step[d]];
     if (there == 0) {
@@ -91,7 +94,7 @@ static inline uint32_t step_cost(const struct lattice *lattice, int32_t node, in
 }
 
 /* A better way to `there`, from its neighbour `via`. Returns whether its label changes. */
-static inline bool take(struct routes *routes, enum metric metric, uint64_t label, int32_t via, int32_t there)
+ALWAYS bool take(struct routes *routes, enum metric metric, uint64_t label, int32_t via, int32_t there)
 {
     if (label == routes->label[there]) {
         routes->toward[there] = via < routes->toward[there] ? via : routes->toward[there];
@@ -106,7 +109,7 @@ static inline bool take(struct routes *routes, enum metric metric, uint64_t labe
     return true;
 }
 
-static inline void expand(struct routes *routes, enum metric metric, int32_t node)
+ALWAYS void expand(struct routes *routes, enum metric metric, int32_t node)
 {
     const struct lattice *lattice = routes->lattice;
     uint64_t label = routes->label[node];
@@ -158,7 +161,7 @@ static bool has_long_steps(const struct routes *routes)
     return 2 * least * (uint32_t)lean / LATTICE_LEAN * ROUTES_AXIS >= 1u << ROUTE_FINE_BITS;
 }
 
-static inline void settle_all(struct routes *routes, enum metric metric)
+ALWAYS void settle_all(struct routes *routes, enum metric metric)
 {
     const uint64_t *labels = metric == METRIC_WEIGHTED ? NULL : routes->label;
     uint64_t key;
@@ -272,9 +275,10 @@ static int32_t forget_beyond(struct routes *routes, int32_t node, int32_t base)
     routes->toward[node] = ROUTES_NONE;
     routes->stack[count++] = node;
     for (int32_t i = base; i < count; i++) {
+        int32_t here = routes->stack[i];
         for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
-            int32_t next = routes->stack[i] + step[d];
-            if (routes->lattice->weight[next] > 0 && routes->toward[next] == routes->stack[i]) {
+            int32_t next = here + step[d];
+            if (routes->toward[next] == here) {
                 routes->label[next] = ROUTES_UNKNOWN;
                 routes->toward[next] = ROUTES_NONE;
                 routes->stack[count++] = next;
@@ -285,48 +289,69 @@ static int32_t forget_beyond(struct routes *routes, int32_t node, int32_t base)
 }
 
 /* The best way to a forgotten node from those neighbours that have one. */
-static void find_again(struct routes *routes, int32_t node)
+ALWAYS void find_again(struct routes *routes, enum metric metric, int32_t node)
 {
     const struct lattice *lattice = routes->lattice;
     uint64_t best = ROUTES_UNKNOWN;
     int32_t from = ROUTES_NONE;
     for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
         int32_t there = node + lattice->step[d];
-        uint64_t label = lattice->weight[there] > 0 ? routes->label[there] : ROUTES_UNKNOWN;
+        uint64_t label = routes->label[there];
         uint32_t counted, edge = label != ROUTES_UNKNOWN ? step_cost(lattice, there, 7 - d, &counted) : 0;
         if (edge > 0) {
-            label = routes_extend(routes->metric, label, edge, counted);
-            if (comes_before(routes, routes->metric, label, best) || (label == best && there < from)) {
+            label = routes_extend(metric, label, edge, counted);
+            if (comes_before(routes, metric, label, best) || (label == best && there < from)) {
                 best = label;
                 from = there;
             }
         }
     }
     if (best != ROUTES_UNKNOWN) {
-        take(routes, routes->metric, best, from, node);
+        take(routes, metric, best, from, node);
     }
 }
 
-/* As expand, where ways beyond are known already: what led through a node whose label changes is looked for again,
- * since a better way to the node is not always a better way through it. */
-static void expand_again(struct routes *routes, int32_t node)
+/* Whether a better way to a node may be a worse one through it: that of a lesser maximum and a greater sum. */
+ALWAYS bool is_worse_beyond(uint64_t label, uint64_t before)
+{
+    const uint64_t sums = (UINT64_C(1) << ROUTES_SUM_BITS) - 1;
+    return label >> ROUTES_SUM_BITS < before >> ROUTES_SUM_BITS && (label & sums) > (before & sums);
+}
+
+/* As expand, where ways beyond are known already: they are looked for again where they may have become worse. */
+ALWAYS void expand_again(struct routes *routes, enum metric metric, int32_t node)
 {
     const struct lattice *lattice = routes->lattice;
+    uint64_t label = routes->label[node];
     for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
-        int32_t next = node + lattice->step[d];
+        int32_t next = node + lattice->step[d], gone = 0;
         uint32_t counted, edge = step_cost(lattice, node, d, &counted);
         if (edge == 0) {
             continue;
         }
-        uint64_t label = routes_extend(routes->metric, routes->label[node], edge, counted);
-        if (label == routes->label[next] || !comes_before(routes, routes->metric, label, routes->label[next])) {
-            take(routes, routes->metric, label, node, next);
-            continue;
+        uint64_t there = routes_extend(metric, label, edge, counted), before = routes->label[next];
+        if (metric != METRIC_CUMULATIVE && before != ROUTES_UNKNOWN && comes_before(routes, metric, there, before) &&
+            is_worse_beyond(there, before)) {
+            gone = forget_beyond(routes, next, 0);
         }
-        int32_t gone = routes->label[next] != ROUTES_UNKNOWN ? forget_beyond(routes, next, 0) : 0;
-        take(routes, routes->metric, label, node, next);
+        take(routes, metric, there, node, next);
         for (int32_t i = 1; i < gone; i++) {
-            find_again(routes, routes->stack[i]);
+            find_again(routes, metric, routes->stack[i]);
+        }
+    }
+}
+
+ALWAYS void settle_again(struct routes *routes, enum metric metric, int32_t gone)
+{
+    const uint64_t *labels = metric == METRIC_WEIGHTED ? NULL : routes->label;
+    uint64_t key;
+    int32_t node;
+    for (int32_t i = 0; i < gone; i++) {
+        find_again(routes, metric, routes->stack[i]);
+    }
+    while (route_queue_pop(&routes->queue, labels, &key, &node)) {
+        if (routes->label[node] != ROUTES_UNKNOWN && key == key_of(routes, metric, routes->label[node])) {
+            expand_again(routes, metric, node);
         }
     }
 }
@@ -355,7 +380,7 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
             }
         }
     }
-    route_queue_start(&routes->queue, queue_shift(routes), false);
+    route_queue_start(&routes->queue, queue_shift(routes), has_long_steps(routes));
     for (int y = around.y0; y < around.y1; y++) {
         for (int x = around.x0; x < around.x1; x++) {
             int32_t node = lattice_node(lattice, x, y), toward = routes->toward[node];
@@ -367,18 +392,15 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
             }
         }
     }
-    if (gone > lattice->nodes / REPLAN_PART) { /* planning anew is cheaper */
+    if (gone / 5 > lattice->nodes / 6) { /* planning anew is cheaper */
         return routes_plan(routes, routes->metric, routes->emphasis, routes->seeds, routes->seed_count);
     }
-    for (int32_t i = 0; i < gone; i++) {
-        find_again(routes, routes->stack[i]);
-    }
-    uint64_t key;
-    int32_t node;
-    while (route_queue_pop(&routes->queue, NULL, &key, &node)) {
-        if (routes->label[node] != ROUTES_UNKNOWN && key == key_of(routes, routes->metric, routes->label[node])) {
-            expand_again(routes, node);
-        }
+    if (routes->metric == METRIC_CUMULATIVE) {
+        settle_again(routes, METRIC_CUMULATIVE, gone);
+    } else if (routes->metric == METRIC_PARTIAL) {
+        settle_again(routes, METRIC_PARTIAL, gone);
+    } else {
+        settle_again(routes, METRIC_WEIGHTED, gone);
     }
     if (routes->queue.failed) {
         forget(routes);
