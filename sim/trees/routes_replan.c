@@ -9,6 +9,7 @@ enum {
     DIRECTION_BITS = 3,
     SEARCH_PART = 8,   /* one in so many forgotten nodes is searched for before the rest is moved */
     SEARCH_LEAST = 64, /* and so many more */
+    REPLAN_PART = 3,   /* of all nodes, after which planning anew is cheaper */
 };
 
 /* A label that no node has: its difference to any label is that of no other node. */
@@ -68,11 +69,12 @@ ALWAYS bool is_worse_beyond(uint64_t label, uint64_t before)
 }
 
 /* Offers its way to all neighbours. Ways beyond that may become worse by that are looked for again, with the stack from
- * `base`. */
-ALWAYS void expand_again(struct routes *routes, enum metric metric, int32_t node, int32_t base)
+ * `base`; returns how many. */
+ALWAYS int32_t expand_again(struct routes *routes, enum metric metric, int32_t node, int32_t base)
 {
     const struct lattice *lattice = routes->lattice;
     uint64_t label = routes->label[node];
+    int32_t all = 0;
     for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
         int32_t next = node + lattice->step[d], gone = 0;
         uint32_t counted, edge = routes_step(lattice, node, d, &counted);
@@ -88,20 +90,23 @@ ALWAYS void expand_again(struct routes *routes, enum metric metric, int32_t node
         for (int32_t i = 1; i < gone; i++) {
             find_again(routes, metric, routes->stack[base + i] >> DIRECTION_BITS);
         }
+        all += gone;
     }
+    return all;
 }
 
-/* The search, for so many steps. */
-ALWAYS void search(struct routes *routes, enum metric metric, int32_t steps, int32_t base)
+/* The search, until it is done or has gone over so many nodes; returns how many. */
+ALWAYS int32_t search(struct routes *routes, enum metric metric, int32_t most, int32_t base)
 {
     const uint64_t *labels = metric == METRIC_WEIGHTED ? NULL : routes->label;
     uint64_t key;
-    int32_t node;
-    while (steps-- > 0 && route_queue_pop(&routes->queue, labels, &key, &node)) {
+    int32_t node, work = 0;
+    while (work < most && route_queue_pop(&routes->queue, labels, &key, &node)) {
         if (routes->label[node] != ROUTES_UNKNOWN && key == routes_key(routes, metric, routes->label[node])) {
-            expand_again(routes, metric, node, base);
+            work += 1 + expand_again(routes, metric, node, base);
         }
     }
+    return work;
 }
 
 /* Whether a node and all its neighbours have moved by the same sum: what was the best way is so still. */
@@ -171,12 +176,14 @@ ALWAYS void push_around(struct routes *routes, enum metric metric, int32_t gone)
     }
 }
 
-ALWAYS void settle_again(struct routes *routes, enum metric metric, int32_t gone)
+/* False: planning anew is cheaper. */
+ALWAYS bool settle_again(struct routes *routes, enum metric metric, int32_t gone)
 {
+    int32_t most = routes->lattice->nodes / REPLAN_PART;
     push_around(routes, metric, gone);
     search(routes, metric, SEARCH_LEAST + gone / SEARCH_PART, gone);
     move_rest(routes, metric, gone);
-    search(routes, metric, INT32_MAX, 0);
+    return search(routes, metric, most, 0) < most;
 }
 
 static bool is_within(const struct lattice *lattice, struct rectangle rectangle, int32_t node)
@@ -233,12 +240,11 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
     memcpy(routes->before, routes->label, (size_t)lattice->nodes * sizeof *routes->before);
     routes_start_queue(routes);
     int32_t gone = forget_changed(routes, changed, find_opened(routes, changed));
-    if (routes->metric == METRIC_CUMULATIVE) {
-        settle_again(routes, METRIC_CUMULATIVE, gone);
-    } else if (routes->metric == METRIC_PARTIAL) {
-        settle_again(routes, METRIC_PARTIAL, gone);
-    } else {
-        settle_again(routes, METRIC_WEIGHTED, gone);
+    bool settled = routes->metric == METRIC_CUMULATIVE ? settle_again(routes, METRIC_CUMULATIVE, gone)
+                   : routes->metric == METRIC_PARTIAL  ? settle_again(routes, METRIC_PARTIAL, gone)
+                                                       : settle_again(routes, METRIC_WEIGHTED, gone);
+    if (!settled) {
+        return routes_plan(routes, routes->metric, routes->emphasis, routes->seeds, routes->seed_count);
     }
     if (routes->queue.failed) {
         routes_forget(routes);
