@@ -279,6 +279,7 @@ static bool take_output(struct bolt_order *order, const char *path)
 {
     static const char *const ENDINGS[] = {".png", ".svg", ".obj", ".ply"};
     const char *end = strrchr(path, '.');
+    char allowed[64];
     bool known = false;
     for (int i = 0; i < 4; i++) {
         known = known || (end && strcmp(end, ENDINGS[i]) == 0);
@@ -287,7 +288,8 @@ static bool take_output(struct bolt_order *order, const char *path)
         return wrong("output", path, "a name that ends with .png, .svg, .obj or .ply");
     }
     if (order->output_count == BOLT_OUTPUTS) {
-        return wrong("output", path, "no more than 8 of them");
+        snprintf(allowed, sizeof allowed, "no more than %d of them", BOLT_OUTPUTS);
+        return wrong("output", path, allowed);
     }
     order->outputs[order->output_count++] = path;
     return true;

@@ -19,7 +19,7 @@ static const char HELP[] =
     "      --inputs FILE      as this inputs file has it; else as without one\n"
     "      --watch            prints what they say as you touch and turn them, with the binding to paste\n"
     "                         into an inputs file, until Ctrl-C\n"
-    "      --seconds N        with --watch: so long, 1 to 86400\n"
+    "      --seconds N        with --watch: so long, {seconds}\n"
     "      --descriptor FILE  decodes a HID report descriptor captured elsewhere: bytes, or text in base\n"
     "                         16; - is standard input\n"
     "      --json             with --descriptor\n"

@@ -13,7 +13,7 @@ static const char HELP[] =
     "usage: frond replay JOURNAL [-o FILE.png] [OPTIONS]\n\n"
     "Paints again what a journal holds, from its first tick to its last.\n\n"
     "  -o, --output FILE.png  the picture at its end\n"
-    "      --scale N          a print: pixels a cell of that picture, 1 to 16\n"
+    "      --scale N          a print: {scale} pixels a cell of that picture\n"
     "      --size WxH         pixels of the pictures and the film; a pixel a cell if left out\n"
     "      --frames DIR       pictures on the way: DIR/000010.png, numbered by tick\n"
     "      --video FILE       the same as a film of 30 pictures a second, FILE.mp4 or FILE.webm, by ffmpeg\n"

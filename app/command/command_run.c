@@ -21,7 +21,7 @@ static const char HELP[] =
     "      --card PATH       kms: the graphics card, /dev/dri/card1\n"
     "      --connector NAME  kms: where the screen is plugged in, HDMI-A-1\n"
     "      --mode WxH[@HZ]   pixels of the screen or the window; what it prefers if left out\n"
-    "      --rotate DEGREES  0, 90, 180 or 270, clockwise; touch turns along\n"
+    "      --rotate DEGREES  {rotate}, clockwise; touch turns along\n"
     "      --state DIR       where the gallery is kept; $STATE_DIRECTORY or ~/.local/state/frond if left out\n"
     "      --open            whatever the exhibit's schedule says\n"
     "      --inputs FILE     sessions: what visitors do, and with which devices (frond explain inputs); else fingers\n"
@@ -32,7 +32,7 @@ static const char HELP[] =
     "      --standby         an EXHIBIT that is wrong, or not there, is waited for; until then a plain one stands\n"
     "                        in for it, and the staff is told\n"
     "      --engine KIND     auto (the faster, by timing both once on this machine), cpu, gpu\n"
-    "      --rate N          ticks a second, 1 to 1000; 60 if left out\n"
+    "      --rate N          {rate}; 60 if left out\n"
     "      --ticks N         instead of the script's\n"
     "      --once            paint the session once and leave it there; else it begins again and again\n"
     "      --frames N        end after so many frames\n"
@@ -87,22 +87,6 @@ static bool take_rotation(const char *text, void *object)
     return option_whole(text, 0, 270, &order->display.rotation) && order->display.rotation % 90 == 0;
 }
 
-static bool take_rate(const char *text, void *object)
-{
-    struct run_order *order = object;
-    bool good = option_whole(text, 1, RATE_MOST, &order->rate);
-    order->live.ticks_per_second = order->rate;
-    return good;
-}
-
-static bool take_frames(const char *text, void *object)
-{
-    int frames = 0;
-    bool good = option_whole(text, 1, SCRIPT_TICKS_MAX, &frames);
-    ((struct run_order *)object)->live.frames = frames;
-    return good;
-}
-
 #define ORDER(field)        .offset = offsetof(struct run_order, field)
 #define OWN(taken, allowed) .unit = (allowed), .take = (taken)
 
@@ -119,10 +103,10 @@ static const struct option_row OPTIONS[] = {
     {"console", OPTION_TEXT, ORDER(live.console)},
     {"standby", OPTION_FLAG, ORDER(standby)},
     {"engine", OPTION_ENGINE, ORDER(live.engine)},
-    {"rate", OPTION_OWN, OWN(take_rate, "1 to 1000 ticks a second")},
+    {"rate", OPTION_WHOLE, ORDER(rate), 1, RATE_MOST, " ticks a second"},
     {"ticks", OPTION_WHOLE, ORDER(ticks), 0, SCRIPT_TICKS_MAX, " ticks"},
     {"once", OPTION_FLAG, ORDER(live.once)},
-    {"frames", OPTION_OWN, OWN(take_frames, "1 to 10000000 frames")},
+    {"frames", OPTION_WHOLE, ORDER(live.frames), 1, SCRIPT_TICKS_MAX, " frames"},
     {"shot", OPTION_TEXT, ORDER(live.shot)},
     {"full", OPTION_UNFLAG, ORDER(live.governed)},
     {"xray", OPTION_FLAG, ORDER(live.xray)},
@@ -141,5 +125,6 @@ int command_run(int argc, char *argv[])
         fprintf(stderr, "frond run: one exhibit or session at a time; see frond run --help\n");
         return EXIT_STATUS_USAGE;
     }
+    order.live.ticks_per_second = order.rate > 0 ? order.rate : order.live.ticks_per_second;
     return run_show(optind < argc ? argv[optind] : NULL, &order);
 }

@@ -94,6 +94,25 @@ static const char *allowed_of(const struct option_row *row, char *buffer, size_t
     }
 }
 
+static void print_help(const char *help, const struct option_row *rows)
+{
+    char allowed[80];
+    for (size_t plain; *help; help += plain) {
+        plain = strcspn(help + 1, "{") + 1;
+        size_t name = strcspn(help, "}") - 1;
+        const struct option_row *row = rows;
+        while (row->name && (*help != '{' || strlen(row->name) != name || strncmp(row->name, help + 1, name) != 0)) {
+            row++;
+        }
+        if (row->name) {
+            fputs(allowed_of(row, allowed, sizeof allowed), stdout);
+            plain = name + 2;
+        } else {
+            fwrite(help, 1, plain, stdout);
+        }
+    }
+}
+
 enum { ROWS_MOST = 32, FIRST_ROW = 256 };
 
 static void list_options(const struct option_row *rows, struct option listed[ROWS_MOST + 2], char letters[8])
@@ -123,7 +142,7 @@ int options_read(const char *command, const char *help, const struct option_row 
     optind = 0;
     while ((option = getopt_long(argc, argv, letters, listed, NULL)) != -1) {
         if (option == 'h') {
-            fputs(help, stdout);
+            print_help(help, rows);
             return EXIT_STATUS_GOOD;
         }
         if (option == '?' || option == ':') {

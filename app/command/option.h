@@ -25,8 +25,8 @@ struct option_row {
     bool (*take)(const char *text, void *object); /* false: it is none that is allowed */
 };
 
-/* Reads all options into `object`; --help prints `help`. -1: go on at optind; else the exit status, with what is wrong
- * said on stderr. */
+/* Reads all options into `object`; --help prints `help`, and for each {NAME} in it what the option of that name
+ * allows. -1: go on at optind; else the exit status, with what is wrong said on stderr. */
 int options_read(const char *command, const char *help, const struct option_row *rows, int argc, char *argv[],
                  void *object);
 /* Says on stderr what is wrong with an option's value. Returns EXIT_STATUS_USAGE. */

@@ -46,12 +46,13 @@ static int by_name(const void *a, const void *b)
 }
 
 /* NULL, with a sentence in `error`, when there is no such folder. */
-static DIR *open_folder(const char *folder, const char *path, char *error, size_t size)
+static DIR *open_folder(const char *folder, const char *path, struct file_error *error)
 {
-    int fd = beneath_open(folder, path, "a folder", error, size);
+    int fd = beneath_open(folder, path, "a folder", error);
     DIR *list = fd >= 0 ? fdopendir(fd) : NULL;
     if (fd >= 0 && !list) {
-        snprintf(error, size, "'%.100s' is no folder; a folder in this file's folder or below", path);
+        snprintf(error->text, sizeof error->text, "'%.100s' is no folder; a folder in this file's folder or below",
+                 path);
         close(fd);
     }
     return list;
@@ -99,9 +100,9 @@ static struct exhibit_pictures list_pictures(DIR *list, const char *path)
 
 struct exhibit_pictures exhibit_pictures(const struct exhibit *exhibit)
 {
-    char error[300];
+    struct file_error error;
     struct exhibit_pictures pictures = {0};
-    DIR *list = exhibit->pictures ? open_folder(exhibit->folder, exhibit->pictures, error, sizeof error) : NULL;
+    DIR *list = exhibit->pictures ? open_folder(exhibit->folder, exhibit->pictures, &error) : NULL;
     if (list) {
         pictures = list_pictures(list, exhibit->pictures);
         closedir(list);
@@ -120,8 +121,8 @@ void exhibit_pictures_finish(struct exhibit_pictures *pictures)
 
 bool exhibit_is_bare(const struct exhibit *exhibit)
 {
-    char error[300];
-    DIR *list = exhibit->pictures ? open_folder(exhibit->folder, exhibit->pictures, error, sizeof error) : NULL;
+    struct file_error error;
+    DIR *list = exhibit->pictures ? open_folder(exhibit->folder, exhibit->pictures, &error) : NULL;
     if (!list) {
         return !exhibit->pictures;
     }
@@ -134,22 +135,22 @@ bool exhibit_is_bare(const struct exhibit *exhibit)
 
 void exhibit_check_picture(struct reader *reader, const struct yaml_node *at, const char *path)
 {
-    char error[300] = "";
+    struct file_error error;
     struct script_picture picture = {0};
     if (!reader->def->load) {
         reader_problem(reader, at, "pictures cannot be read here");
-    } else if (!reader->def->load(reader->def->data, reader->folder, path, &picture, error, sizeof error)) {
-        reader_problem(reader, at, "%s", error);
+    } else if (!reader->def->load(reader->def->data, reader->folder, path, &picture, &error)) {
+        reader_problem(reader, at, "%s", error.text);
     }
     free(picture.values);
 }
 
 static void check_pictures(struct reader *reader, const struct yaml_node *at, const char *path)
 {
-    char error[300];
-    DIR *list = open_folder(reader->folder, path, error, sizeof error);
+    struct file_error error;
+    DIR *list = open_folder(reader->folder, path, &error);
     if (!list) {
-        reader_problem(reader, at, "%s", error);
+        reader_problem(reader, at, "%s", error.text);
         return;
     }
     struct exhibit_pictures pictures = list_pictures(list, path);

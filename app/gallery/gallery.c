@@ -262,7 +262,9 @@ bool gallery_keep(struct gallery *gallery, const struct gallery_picture *picture
     if (picture->journal && work.journal < 0) {
         say(gallery, "gallery: %.180s; a picture is kept without its journal", error.text);
     }
-    if (taken) {
+    if (!taken) {
+        say(gallery, "gallery: %d pictures wait to be written; one more is not kept", GALLERY_WAITING);
+    } else {
         gallery->waiting[gallery->waiting_count++] = work;
         pthread_cond_signal(&gallery->wake);
     }

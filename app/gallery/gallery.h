@@ -45,8 +45,8 @@ struct gallery_picture {
     const char *journal; /* file whose bytes, as they are now, are kept beside it; NULL: none */
 };
 
-/* Takes rgb and depth over in any case. False, and they are freed, when it is still busy with others. The journal is
- * opened before this returns: it may be renamed or removed afterwards, but not written. One that cannot be opened is
+/* Takes rgb and depth over in any case. False, and they are freed, when too many wait: gallery_log tells. The journal
+ * is opened before this returns: it may be renamed or removed afterwards, but not written. One that cannot be opened is
  * told by gallery_log; the picture is kept without it. */
 bool gallery_keep(struct gallery *gallery, const struct gallery_picture *picture);
 /* The next line for the log; false when there is none. */

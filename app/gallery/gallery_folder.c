@@ -173,18 +173,11 @@ bool gallery_trim(const char *folder, struct gallery_shelf *shelf, int entries, 
     return good;
 }
 
-/* .frond-0123456789abcdef.part */
-static bool is_temporary(const char *name)
-{
-    return strncmp(name, ".frond-", 7) == 0 && strspn(name + 7, "0123456789abcdef") == 16 &&
-           strcmp(name + 23, ".part") == 0;
-}
-
 void gallery_sweep(const char *folder)
 {
     DIR *all = opendir(folder);
     for (struct dirent *item; all && (item = readdir(all));) {
-        if (is_temporary(item->d_name)) {
+        if (file_is_temporary(item->d_name)) {
             unlinkat(dirfd(all), item->d_name, 0);
         }
     }

@@ -67,7 +67,6 @@ static void add_options(const struct exhibit_scene *scene, struct feeder_session
 static bool add_stock(const struct feeder *feeder, const struct exhibit_scene *scene, struct feeder_session *session,
                       struct file_error *error)
 {
-    char reason[300] = "";
     const struct exhibit *exhibit = feeder->def.exhibit;
     bool fed = scene->kind != SCENE_TREES;
     for (int i = 0; i < scene->feed_count; i++) {
@@ -79,11 +78,10 @@ static bool add_stock(const struct feeder *feeder, const struct exhibit_scene *s
     struct exhibit_pictures pictures = exhibit_pictures(exhibit);
     const char *path = scene->picture ? scene->picture : pictures.count > 0 ? pictures.paths[0] : "";
     struct script_picture picture = {0};
-    bool good = feeder->def.load.load &&
-                feeder->def.load.load(feeder->def.load.data, exhibit->folder, path, &picture, reason, sizeof reason);
-    if (!good) {
-        file_fail(error, path, "%s", reason);
-    } else {
+    bool good = feeder->def.load.load
+                    ? feeder->def.load.load(feeder->def.load.data, exhibit->folder, path, &picture, error)
+                    : file_fail(error, path, "pictures cannot be read here");
+    if (good) {
         struct action action = action_default(ACTION_STOCK);
         int longer = picture.width > picture.height ? picture.width : picture.height;
         int side = longer < GARDEN_STOCK_SIDE ? longer : GARDEN_STOCK_SIDE;

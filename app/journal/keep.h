@@ -2,7 +2,7 @@
  * written by a thread of their own. After an end that was not meant, keep_find takes up the newest that is whole, and
  * does again what the journal holds since.
  *
- *     if (keep_find(folder, &found)) { begin the studio with found.checkpoint, at found.ticked ... }
+ *     if (keep_find(folder, KEEP_REPEAT_S, &found)) { begin the studio with found.checkpoint, at found.ticked ... }
  *     keep = keep_create(&def, &found);
  *     studio_def.teller = (struct studio_teller){keep_tell, keep};
  *     keep_visit(keep, true);      a visitor paints: from now on it is kept
@@ -49,8 +49,11 @@ struct keep_found {
     uint64_t generation, number;
 };
 
-/* The newest painting in the folder that is whole; false: there is none. Takes up to two seconds. */
-bool keep_find(const char *folder, struct keep_found *found);
+#define KEEP_REPEAT_S 1.5 /* a kiosk is back within two seconds */
+
+/* The newest painting in the folder that is whole; false: there is none. What the journal holds since is repeated for
+ * `most_s` seconds at most: the rest is lost. */
+bool keep_find(const char *folder, double most_s, struct keep_found *found);
 void keep_found_finish(struct keep_found *found); /* may be done twice */
 
 struct keep;

@@ -31,12 +31,6 @@ static bool read_name(const char *name, struct keep_file *file)
     return name && strcmp(name, ".frond") == 0;
 }
 
-static bool is_part(const char *name)
-{
-    size_t length = strlen(name);
-    return length > 12 && strncmp(name, ".frond-", 7) == 0 && strcmp(name + length - 5, ".part") == 0;
-}
-
 static int newest_first(const void *a, const void *b)
 {
     const struct keep_file *left = a, *right = b;
@@ -77,7 +71,7 @@ void keep_files_remove(const struct file_calls *calls, const char *folder, uint6
         struct keep_file file;
         bool old = read_name(entry->d_name, &file) &&
                    (file.generation != generation || (!file.journal && file.number < least));
-        if (old || is_part(entry->d_name)) {
+        if (old || file_is_temporary(entry->d_name)) {
             calls->unlinkat(dirfd(all), entry->d_name, 0);
         }
     }

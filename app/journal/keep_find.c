@@ -10,7 +10,6 @@
 #include "player.h"
 
 static const int ALL_THREADS = 0;
-static const double PATIENCE_S = 1.5; /* for repeating */
 
 void keep_found_finish(struct keep_found *found)
 {
@@ -43,12 +42,12 @@ static bool is_beside(const struct bytes *journal, const struct pack_note *note)
 }
 
 /* What is due, tick by tick, while there is time; then the painting as it is, and how far that was. */
-static bool repeat(struct player *player, struct keep_found *found)
+static bool repeat(struct player *player, double most_s, struct keep_found *found)
 {
     struct file_error error;
     double began = keep_now_s();
     while (player_tick(player, &error)) {
-        if (keep_now_s() - began > PATIENCE_S) {
+        if (keep_now_s() - began > most_s) {
             break;
         }
     }
@@ -78,7 +77,7 @@ static void take_journal(struct keep_found *found, struct bytes *journal)
     }
 }
 
-static bool from_checkpoint(const char *path, struct bytes *journal, struct keep_found *found)
+static bool from_checkpoint(const char *path, struct bytes *journal, double most_s, struct keep_found *found)
 {
     struct bytes bytes;
     struct pack_note note;
@@ -102,7 +101,7 @@ static bool from_checkpoint(const char *path, struct bytes *journal, struct keep
     found->lost = 0;
     struct player_place place = {&found->checkpoint, note.ticked, note.records};
     if (is_beside(journal, &note) && player_resume(&player, journal->data, journal->size, &place, &maker, &error) &&
-        repeat(&player, found)) {
+        repeat(&player, most_s, found)) {
         snprintf(found->line, sizeof found->line,
                  "the painting is taken up again, checkpoint %llu and %lld ticks of its journal; %lld ticks are lost",
                  (unsigned long long)note.number, (long long)(found->ticked - note.ticked), (long long)found->lost);
@@ -115,13 +114,13 @@ static bool from_checkpoint(const char *path, struct bytes *journal, struct keep
     return true;
 }
 
-static bool from_journal(struct bytes *journal, uint64_t generation, struct keep_found *found)
+static bool from_journal(struct bytes *journal, uint64_t generation, double most_s, struct keep_found *found)
 {
     struct file_error error;
     struct player player = {.engine = NULL};
     struct player_maker maker = player_cpu(&ALL_THREADS);
-    bool good =
-        journal->data && player_open(&player, journal->data, journal->size, &maker, &error) && repeat(&player, found);
+    bool good = journal->data && player_open(&player, journal->data, journal->size, &maker, &error) &&
+                repeat(&player, most_s, found);
     if (good) {
         found->exhibit_hash = player.reader.head.exhibit_hash;
         found->generation = generation;
@@ -138,7 +137,8 @@ static bool from_journal(struct bytes *journal, uint64_t generation, struct keep
 }
 
 /* The newest of a generation that is whole; `first`: of its files. */
-static bool from_generation(const char *folder, const struct keep_files *files, int first, struct keep_found *found)
+static bool from_generation(const char *folder, const struct keep_files *files, int first, double most_s,
+                            struct keep_found *found)
 {
     char path[KEEP_PATH];
     struct bytes journal = {.data = NULL};
@@ -151,22 +151,22 @@ static bool from_generation(const char *folder, const struct keep_files *files, 
     }
     for (int i = first; !good && i < files->count && files->files[i].generation == generation; i++) {
         if (keep_files_path(folder, &files->files[i], path)) {
-            good = files->files[i].journal ? from_journal(&journal, generation, found)
-                                           : from_checkpoint(path, &journal, found);
+            good = files->files[i].journal ? from_journal(&journal, generation, most_s, found)
+                                           : from_checkpoint(path, &journal, most_s, found);
         }
     }
     bytes_finish(&journal);
     return good;
 }
 
-bool keep_find(const char *folder, struct keep_found *found)
+bool keep_find(const char *folder, double most_s, struct keep_found *found)
 {
     struct keep_files files = keep_files_list(folder);
     bool good = false;
     *found = (struct keep_found){.ticked = 0};
     for (int i = 0; !good && i < files.count; i++) {
         if (i == 0 || files.files[i].generation != files.files[i - 1].generation) {
-            good = from_generation(folder, &files, i, found);
+            good = from_generation(folder, &files, i, most_s, found);
         }
     }
     if (!good && files.count > 0) {

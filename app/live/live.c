@@ -413,6 +413,7 @@ bool live(const struct script *script, struct display *display, const struct liv
         while (good && !live_over(&live)) {
             good = live_turn(&live);
         }
+        note_state(&live); /* what has ended it, if the screen has */
         say_totals(&live);
         good = write_shot(&live) && good;
     }

@@ -22,7 +22,7 @@ struct live_def {
     const char *console;         /* with `hold`: the VT that takes no keys either; NULL: none */
     int rotation;                /* of the display, degrees clockwise: fingers turn along */
     const char *shot;            /* PNG of the last frame, written at the end; NULL: none */
-    int64_t frames;              /* end after so many; 0: when told to */
+    int frames;                  /* end after so many; 0: when told to */
     double ticks_per_second;     /* 0: as fast as they come */
     bool once;                   /* the session is painted once and stays; else it begins again and again */
     bool xray;                   /* the layers instead of the picture */

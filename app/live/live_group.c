@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "group.h"
+#include "hash.h"
 #include "live_service.h"
 
 enum { PATH = 1400 };
@@ -47,22 +48,18 @@ static void keep_up(struct live_group *group, const struct exhibit *exhibit)
     const struct exhibit_mqtt *mqtt = &exhibit->mqtt;
     const char *const parts[] = {mqtt->host, mqtt->topic,       mqtt->name, mqtt->group,
                                  mqtt->ca,   mqtt->certificate, mqtt->key,  mqtt->credentials};
-    char mark[sizeof group->mark];
-    size_t used = 0;
+    uint64_t mark = hash_number(HASH_START, mqtt->port);
     if (group->since == exhibit) {
         return;
     }
     group->since = exhibit;
-    for (size_t i = 0; i < sizeof parts / sizeof parts[0] && used < sizeof mark; i++) {
-        used += (size_t)snprintf(mark + used, sizeof mark - used, "%s\n", parts[i] ? parts[i] : "");
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        mark = parts[i] ? hash_bytes(mark, parts[i], strlen(parts[i]) + 1) : hash_number(mark, (int64_t)i);
     }
-    if (used < sizeof mark) {
-        snprintf(mark + used, sizeof mark - used, "%d", mqtt->port);
-    }
-    if (strcmp(mark, group->mark) == 0) {
+    if (mark == group->mark) {
         return;
     }
-    memcpy(group->mark, mark, sizeof mark);
+    group->mark = mark;
     broker_destroy(group->broker);
     group->broker = NULL;
     if (mqtt->host) {
@@ -75,7 +72,7 @@ static void hear(struct live_group *group, struct live_kiosk *kiosk)
     const struct exhibit_mqtt *mqtt = &kiosk_shows(kiosk->kiosk)->mqtt;
     struct broker_message message;
     struct group_command command;
-    while (broker_message(group->broker, &message)) {
+    while (!group->has_line && broker_message(group->broker, &message)) { /* each has its line */
         bool known = group_read(mqtt, &message, &command);
         if (known && command.kind == GROUP_SCENE) {
             known = kiosk_want_scene(kiosk->kiosk, command.scene);
@@ -108,7 +105,7 @@ void live_group_turn(struct live_group *group, struct live_kiosk *kiosk, struct 
     hear(group, kiosk);
     if (group->said_us == 0 || now_us - group->said_us >= (uint64_t)exhibit->mqtt.every * 1000000) {
         group->said_us = now_us;
-        live_service_status(status, kiosk);
+        live_service_status(status, kiosk, now_us);
         group_topic(&exhibit->mqtt, GROUP_STATUS, topic);
         if (status_json(status, text, sizeof text) > 0) {
             broker_publish(group->broker, topic, text);

@@ -10,7 +10,7 @@ struct live_group {
     struct broker *broker;       /* NULL: none is named, or none can be had */
     const struct exhibit *since; /* whose broker it is; only compared */
     uint64_t said_us;            /* when the status was said last; 0: not yet */
-    char mark[1200];             /* of what the exhibit says of it: the same, the same broker */
+    uint64_t mark;               /* hash of what the exhibit says of it */
     char line[400];
     bool has_line;
 };

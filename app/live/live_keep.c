@@ -40,7 +40,7 @@ void live_keep_open(struct live_keep *keep, const char *state, const struct exhi
     snprintf(def.head.engine, sizeof def.head.engine, "%s", engine_kind_name(engine));
     snprintf(def.head.exhibit, sizeof def.head.exhibit, "%s", name_of(exhibit->path));
     def.folder = folder;
-    bool found = keep_find(folder, &keep->found);
+    bool found = keep_find(folder, KEEP_REPEAT_S, &keep->found);
     for (int i = 0; found && i < exhibit->scene_count; i++) {
         keep->scene = suits(&keep->found, &exhibit->scenes[i]) ? i : keep->scene;
     }

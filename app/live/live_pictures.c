@@ -38,9 +38,9 @@ struct live_pictures {
     atomic_bool done;
     char *path;       /* what it reads */
     struct read read; /* what it leaves */
-    char error[300];
+    struct file_error error;
     bool has_line;
-    char line[400];
+    char line[FILE_ERROR_TEXT + 32];
 };
 
 static void read_finish(struct read *read)
@@ -66,8 +66,7 @@ static void *read_picture(void *context)
     struct script_picture picture = {0};
     struct read *read = &pictures->read;
     *read = (struct read){.field = NULL};
-    if (pictures->def.load(pictures->def.data, pictures->folder, pictures->path, &picture, pictures->error,
-                           sizeof pictures->error)) {
+    if (pictures->def.load(pictures->def.data, pictures->folder, pictures->path, &picture, &pictures->error)) {
         int longer = picture.width > picture.height ? picture.width : picture.height;
         double scale = longer > STOCK_MOST ? (double)STOCK_MOST / longer : 1;
         read->width = picture.width * scale >= 1 ? (int)(picture.width * scale) : 1;
@@ -76,7 +75,7 @@ static void *read_picture(void *context)
         read->grey = make(&picture, RASTER_BRIGHTNESS, read->width, read->height);
         if (!read->field || !read->grey) {
             read_finish(read);
-            snprintf(pictures->error, sizeof pictures->error, "memory is short for '%.100s'", pictures->path);
+            snprintf(pictures->error.text, sizeof pictures->error.text, "memory is short for '%.100s'", pictures->path);
         }
         free(picture.values);
     }
@@ -116,7 +115,7 @@ static struct read end(struct live_pictures *pictures)
     pthread_join(pictures->thread, NULL);
     pictures->reading = false;
     if (!pictures->read.field) {
-        snprintf(pictures->line, sizeof pictures->line, "picture left out: %s", pictures->error);
+        snprintf(pictures->line, sizeof pictures->line, "picture left out: %s", pictures->error.text);
         pictures->has_line = true;
         pictures->failures++;
     } else {

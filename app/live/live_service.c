@@ -6,16 +6,18 @@
 #include <time.h>
 
 static const char *const DISPLAYS[] = {"shown", "dark", "absent", "lent"}; /* enum display_state */
+
 bool live_service_open(struct live_service *service, uint64_t now_us)
 {
     const char *folder = getenv("RUNTIME_DIRECTORY");
     char path[1200];
     *service = (struct live_service){.service = service_create(), .start_us = now_us};
-    if (folder && folder[0] == '/') {
+    bool absolute = folder && folder[0] == '/';
+    if (absolute) {
         snprintf(path, sizeof path, "%.*s", (int)strcspn(folder, ":"), folder);
         service->writer = status_writer_create(path);
     }
-    return service->service && (service->writer || !folder);
+    return service->service && (service->writer || !absolute);
 }
 
 void live_service_close(struct live_service *service)
@@ -39,12 +41,12 @@ static void fill_devices(struct status *status, const struct live_input *input)
     }
 }
 
-void live_service_status(struct status *status, const struct live_kiosk *kiosk)
+void live_service_status(struct status *status, const struct live_kiosk *kiosk, uint64_t now_us)
 {
     const struct live_status_def *from = &kiosk->status;
     struct studio_report report = studio_report(from->studio);
     struct display_frames frames = display_frames(from->display);
-    struct thermal_reading heat = thermal_read(from->care->thermal, (int64_t)frames.last_us);
+    struct thermal_reading heat = thermal_read(from->care->thermal, (int64_t)now_us);
     status->display = DISPLAYS[display_state(from->display)];
     status_word(status->engine, from->kind);
     status->frames_presented = frames.presented;
@@ -99,7 +101,7 @@ void live_service_turn(struct live_service *service, const struct live_kiosk *ki
     service->status.uptime_s = (double)(now_us - service->start_us) / 1e6;
     service->status.unix_s = (int64_t)time(NULL);
     if (service->writer && status_writer_due(service->writer, now_us)) {
-        live_service_status(&service->status, kiosk);
+        live_service_status(&service->status, kiosk, now_us);
         status_writer_post(service->writer, &service->status, now_us);
     }
 }

@@ -25,6 +25,6 @@ void live_service_turn(struct live_service *service, const struct live_kiosk *ki
 bool live_service_log(struct live_service *service, char *line, int size);
 
 /* What there is to tell, but for what is counted in `status` already. */
-void live_service_status(struct status *status, const struct live_kiosk *kiosk);
+void live_service_status(struct status *status, const struct live_kiosk *kiosk, uint64_t now_us);
 
 #endif

@@ -1,5 +1,7 @@
 #include "live_bolts.h"
 
+#include <math.h>
+
 static void finish(struct live_layer *layer)
 {
     struct live_bolts *bolts = (struct live_bolts *)layer;
@@ -45,6 +47,12 @@ static bool set(struct live_layer *layer, bool fresh, struct display *display, s
     return true;
 }
 
+/* What is drawn as of now; the view may be newer than what the sheet told. */
+static double tick_of(const struct live_layer *layer, const struct live_scene_sheet *sheet)
+{
+    return fmax(sheet->done, (double)layer->newest->tick);
+}
+
 static void present(struct live_layer *layer, bool gone, const struct live_scene_sheet *sheet, double share,
                     struct display *display)
 {
@@ -55,7 +63,7 @@ static void present(struct live_layer *layer, bool gone, const struct live_scene
     if (!gone) {
         layer->fade.come = layer->newest->bolts.clear ? 1 : share; /* a strike comes at once */
         share = layer->fade.come;
-        bolts->tick = sheet->done;
+        bolts->tick = tick_of(layer, sheet);
     }
     display_turn(display, turn);
     bolt_light_gpu_opacity(light, live_fade_share(share));
@@ -68,7 +76,7 @@ static void reveal(const struct live_drawer *drawer, const struct live_scene_she
 {
     const struct live_layer *layer = (const struct live_layer *)drawer;
     if (layer->shown) {
-        bolt_light_lay(&layer->newest->bolts, sheet->done, width, height, rgb);
+        bolt_light_lay(&layer->newest->bolts, tick_of(layer, sheet), width, height, rgb);
     }
 }
 

@@ -181,7 +181,7 @@ static void look(struct live_scene *live)
     pthread_mutex_lock(&live->lock);
     live->works = false;
     if (epoch == live->epoch) {
-        live->calm = view->calm;
+        live->calm = view->calm && !inbox_any(&live->taken) && !inbox_any(&live->inbox);
         live_scene_publish(live, grow_s, paint_s);
     }
 }

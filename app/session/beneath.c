@@ -96,22 +96,23 @@ static int open_stock(const char *path)
     return open_inside(stock, *inside ? inside : ".");
 }
 
-int beneath_open(const char *folder, const char *path, const char *what, char *error, size_t size)
+int beneath_open(const char *folder, const char *path, const char *what, struct file_error *error)
 {
+    int fd = -1;
     if (*path == '\0' || *path == '/' || climbs(path)) {
-        snprintf(error, size, "'%.100s' leads out of this file's folder; %s lies in it or below", path, what);
-        return -1;
-    }
-    int fd = open_inside(folder, path);
-    if (fd < 0 && errno == ENOENT) {
+        errno = EXDEV;
+    } else if ((fd = open_inside(folder, path)) < 0 && errno == ENOENT) {
         fd = open_stock(path);
     }
     if (fd < 0 && (errno == EXDEV || errno == ELOOP)) {
-        snprintf(error, size, "'%.100s' leads out of this file's folder; %s lies in it or below", path, what);
+        snprintf(error->text, sizeof error->text, "'%.100s' leads out of this file's folder; %s lies in it or below",
+                 path, what);
     } else if (fd < 0 && (errno == ENOENT || errno == ENOTDIR)) {
-        snprintf(error, size, "'%.100s' is not there; %s in this file's folder or below", path, what);
+        snprintf(error->text, sizeof error->text, "'%.100s' is not there; %s in this file's folder or below", path,
+                 what);
     } else if (fd < 0) {
-        snprintf(error, size, "'%.100s' cannot be read (%s); %s that Frond may read", path, strerror(errno), what);
+        snprintf(error->text, sizeof error->text, "'%.100s' cannot be read (%s); %s that Frond may read", path,
+                 strerror(errno), what);
     }
     return fd;
 }

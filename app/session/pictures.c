@@ -35,11 +35,11 @@ static bool arrange(const struct image *image, struct script_picture *picture)
     return true;
 }
 
-bool pictures_load(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
-                   size_t size)
+bool pictures_load(void *data, const char *folder, const char *path, struct script_picture *picture,
+                   struct file_error *error)
 {
     (void)data;
-    int fd = beneath_open(folder, path, "a picture", error, size);
+    int fd = beneath_open(folder, path, "a picture", error);
     if (fd < 0) {
         return false;
     }
@@ -51,10 +51,10 @@ bool pictures_load(void *data, const char *folder, const char *path, struct scri
     bool good = image_read(opened, &def, &image, &why);
     if (!good) {
         const char *reason = strstr(why.text, ": ");
-        snprintf(error, size, "'%.100s' %.300s; a PNG, JPEG, TIFF, EXR or WebP picture", path,
+        snprintf(error->text, sizeof error->text, "'%.100s' %.300s; a PNG, JPEG, TIFF, EXR or WebP picture", path,
                  reason ? reason + 2 : why.text);
     } else if (!(good = arrange(&image, picture))) {
-        snprintf(error, size, "memory is short for '%.100s'; a smaller picture", path);
+        snprintf(error->text, sizeof error->text, "memory is short for '%.100s'; a smaller picture", path);
     }
     image_finish(&image);
     close(fd);

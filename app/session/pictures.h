@@ -6,8 +6,8 @@
 #include "script.h"
 
 /* A loader for struct script_def. `data` is not used. */
-bool pictures_load(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
-                   size_t size);
+bool pictures_load(void *data, const char *folder, const char *path, struct script_picture *picture,
+                   struct file_error *error);
 /* A script's picture as an image, whose values stay the picture's. */
 struct image pictures_image(const struct script_picture *picture);
 

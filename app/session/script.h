@@ -19,6 +19,7 @@
 
 #include "action.h"
 #include "coefficients.h"
+#include "file.h"
 #include "painting.h"
 #include "report.h"
 
@@ -61,8 +62,8 @@ struct script_within {
 struct script_def {
     /* Reads the picture at `path`, which the script wrote, relative to `folder`; false with a sentence in `error`.
      * NULL: pictures are refused. */
-    bool (*load)(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
-                 size_t size);
+    bool (*load)(void *data, const char *folder, const char *path, struct script_picture *picture,
+                 struct file_error *error);
     void *data;
     /* Is told of each picture and session that is about to be read, whether it is there or not. May be NULL. */
     void (*names)(void *names_data, const char *folder, const char *path);

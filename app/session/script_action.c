@@ -121,7 +121,8 @@ static void size_stock(const struct script_picture *picture, int *width, int *he
 
 bool script_action_picture(struct reader *reader, const struct yaml_node *node, struct action *action)
 {
-    char found[128], error[256] = "";
+    char found[128];
+    struct file_error error;
     if (node->kind == YAML_REFUSED) {
         return false;
     }
@@ -143,8 +144,8 @@ bool script_action_picture(struct reader *reader, const struct yaml_node *node, 
         return false;
     }
     reader_names(reader, node->text);
-    if (!reader->def->load(reader->def->data, reader->folder, node->text, &picture, error, sizeof error)) {
-        reader_problem(reader, node, "%s", error);
+    if (!reader->def->load(reader->def->data, reader->folder, node->text, &picture, &error)) {
+        reader_problem(reader, node, "%s", error.text);
         return false;
     }
     if (action->verb == ACTION_STOCK) { /* its own shape, not the sheet's */

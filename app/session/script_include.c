@@ -8,11 +8,11 @@
 #include "beneath.h"
 
 /* One byte more than is allowed, so that yaml_parse can tell. NULL: see `error`. */
-static char *load(const char *folder, const char *path, size_t *size, struct script_within *self, char *error,
-                  size_t error_size)
+static char *load(const char *folder, const char *path, size_t *size, struct script_within *self,
+                  struct file_error *error)
 {
     struct stat status = {0};
-    int fd = beneath_open(folder, path, "a session", error, error_size);
+    int fd = beneath_open(folder, path, "a session", error);
     if (fd < 0) {
         return NULL;
     }
@@ -25,7 +25,7 @@ static char *load(const char *folder, const char *path, size_t *size, struct scr
         *size += got > 0 ? (size_t)got : 0;
     } while (got > 0 && *size < YAML_SIZE_MAX + 1);
     if (!file || !text || got < 0) {
-        snprintf(error, error_size, "'%.100s' %s; a session script", path,
+        snprintf(error->text, sizeof error->text, "'%.100s' %s; a session script", path,
                  !file   ? "is no file"
                  : !text ? "is too much: memory is short"
                          : "cannot be read");
@@ -102,13 +102,13 @@ static void pass_on(struct reader *reader, const struct yaml_node *at, const str
 
 struct script *script_include(struct reader *reader, const struct yaml_node *at, const char *path)
 {
-    char error[300] = "";
+    struct file_error error;
     size_t size = 0;
     struct report inner;
     struct script_def def = *reader->def;
     struct script_within root = root_of(reader->report), self = {.outer = def.within ? def.within : &root};
     reader_names(reader, path);
-    char *text = load(reader->folder, path, &size, &self, error, sizeof error);
+    char *text = load(reader->folder, path, &size, &self, &error);
     int depth = text ? depth_of(&self) : 0;
     char *folder = text ? folder_of(reader->folder, path) : NULL;
     struct script *script = NULL;
@@ -117,7 +117,7 @@ struct script *script_include(struct reader *reader, const struct yaml_node *at,
     def.spent = def.spent ? def.spent : &reader->spent;
     report_init(&inner, path);
     if (!text) {
-        reader_problem(reader, at, "%s", error);
+        reader_problem(reader, at, "%s", error.text);
     } else if (depth < 0) {
         reader_problem(reader, at, "'%.100s' is inside itself; another session", path);
     } else if (depth > SCRIPT_DEPTH) {

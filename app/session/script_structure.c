@@ -89,7 +89,7 @@ static bool read_keys(struct reader *reader, const struct yaml_node *node, struc
 static bool grow(struct reader *reader, const struct yaml_node *node, const struct script_structure *structure,
                  struct action *action)
 {
-    char error[256] = "";
+    struct file_error error;
     int width = reader->script->width, height = reader->script->height;
     enum structure_kind kind = action->verb == ACTION_GUIDE ? STRUCTURE_ALONG : STRUCTURE_DARK;
     int channels = kind == STRUCTURE_ALONG ? 2 : 1;
@@ -99,8 +99,8 @@ static bool grow(struct reader *reader, const struct yaml_node *node, const stru
     size_t length = reader_enter(reader, "over");
     bool good = reader->def->load || (reader_problem(reader, over, "pictures cannot be read here; a formula can"), 0);
     reader_names(reader, structure->over);
-    if (good && !reader->def->load(reader->def->data, reader->folder, structure->over, &picture, error, sizeof error)) {
-        reader_problem(reader, over, "%s", error);
+    if (good && !reader->def->load(reader->def->data, reader->folder, structure->over, &picture, &error)) {
+        reader_problem(reader, over, "%s", error.text);
         good = false;
     }
     reader_leave(reader, length);

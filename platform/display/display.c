@@ -106,22 +106,19 @@ static bool is_valid(const struct display_def *def, struct device_error *error)
 
 struct display *display_create(const struct display_def *def, struct device_error *error)
 {
-    char reasons[sizeof error->text] = "";
-    size_t used = 0;
+    struct device_error reasons = {""};
     if (!is_valid(def, error)) {
         return NULL;
     }
     struct choice choice = choose(def);
     for (int i = 0; i < choice.count; i++) {
-        struct display *display = try_source(def, choice.sources[i], i == 0 ? choice.why : reasons, error);
+        struct display *display = try_source(def, choice.sources[i], i == 0 ? choice.why : reasons.text, error);
         if (display) {
             return display;
         }
-        int wrote = snprintf(reasons + used, sizeof reasons - used, "%s%s", used ? "; " : "", error->text);
-        used += wrote > 0 ? (size_t)wrote : 0;
-        used = used < sizeof reasons ? used : sizeof reasons - 1;
+        device_fail_too(&reasons, error);
     }
-    memcpy(error->text, reasons, sizeof reasons);
+    *error = reasons;
     return NULL;
 }
 

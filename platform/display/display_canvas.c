@@ -10,7 +10,11 @@ bool display_canvas_make(struct display_canvas *canvas, int width, int height)
     glGenFramebuffers(1, &canvas->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, canvas->colour, 0);
-    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        display_canvas_drop(canvas);
+        return false;
+    }
+    return true;
 }
 
 void display_canvas_drop(struct display_canvas *canvas)

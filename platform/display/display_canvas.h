@@ -8,7 +8,8 @@ struct display_canvas {
     unsigned colour, framebuffer; /* GL names, 0: none */
 };
 
-/* width x height pixels of RGBA8; the context is current, and the framebuffer is bound. */
+/* width x height pixels of RGBA8; the context is current, and the framebuffer is bound. False: it is not to be had, and
+ * nothing is left behind. */
 bool display_canvas_make(struct display_canvas *canvas, int width, int height);
 /* The context is current. */
 void display_canvas_drop(struct display_canvas *canvas);

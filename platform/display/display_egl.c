@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <GLES3/gl31.h>
+
 #include "display_source.h"
 
 const char *display_egl_reason(void)
@@ -83,6 +85,12 @@ bool display_egl_enter(const struct display_egl *egl)
         return true; /* making it so again would flush */
     }
     return eglMakeCurrent(egl->display, egl->surface, egl->surface, egl->context);
+}
+
+bool display_egl_software(void)
+{
+    const char *renderer = (const char *)glGetString(GL_RENDERER);
+    return renderer && (strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe"));
 }
 
 void display_egl_finish(struct display_egl *egl)

@@ -21,6 +21,8 @@ struct display_egl {
 bool display_egl_context(struct display_egl *egl, bool robust, struct device_error *error);
 /* Makes the context current with its surface. */
 bool display_egl_enter(const struct display_egl *egl);
+/* Whether the current context draws with the processor. */
+bool display_egl_software(void);
 /* Destroys surface and context, not the display. */
 void display_egl_finish(struct display_egl *egl);
 /* "0x3003 (EGL_BAD_ALLOC)" of the last failure. */

@@ -142,8 +142,7 @@ static bool open_context(struct display *display, struct device_error *error)
         return device_fail(error, "kms: the context cannot be made current without a surface: %s",
                            display_egl_reason());
     }
-    const char *renderer = (const char *)glGetString(GL_RENDERER);
-    kms->software = renderer && (strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe"));
+    kms->software = display_egl_software();
     return true;
 }
 

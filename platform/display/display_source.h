@@ -33,7 +33,7 @@ struct display {
     bool drawn;           /* it holds a whole frame */
     bool flipped;         /* its lowest row is the panel's uppermost */
     bool closed, lost;
-    char card[64], connector[32]; /* what def's pointers point to */
+    char card[200], connector[32]; /* what def's pointers point to */
     char why[300];                /* why this source was taken */
     char note[400];               /* what the source says of itself */
     char text[800];               /* display_describe */

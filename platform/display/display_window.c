@@ -7,6 +7,7 @@
 
 #include <GLES3/gl31.h>
 
+#include "desktop_link.h"
 #include "display_canvas.h"
 #include "display_pace.h"
 #include "display_source.h"
@@ -15,7 +16,7 @@
 enum {
     WINDOW_WIDTH = 1280, /* points of the desktop, where the definition leaves it open */
     WINDOW_HEIGHT = 720,
-    SLICE_MS = 4,        /* between looks at what else may wake us: SDL waits for itself alone */
+    SLICE_MS = 4,        /* between looks at what else may wake us, where SDL waits for itself alone */
     REFRESH_MHZ = 60000, /* where the desktop does not say */
 };
 
@@ -26,7 +27,10 @@ struct window {
     struct window_input input;
     struct display_pace pace;
     uint64_t next_us; /* before which no frame is drawn, where the desktop does not pace them */
+    int link;         /* to the desktop (desktop_link.h) */
     bool subsystem;   /* SDL's video was started */
+    bool cut;         /* the desktop has gone */
+    bool software;    /* GL draws with the CPU */
 };
 
 static void set_hints(void)
@@ -143,6 +147,7 @@ static bool open_context(struct display *display, struct device_error *error)
     if (!take_over(display, error)) {
         return false;
     }
+    window->software = display_egl_software();
     SDL_GL_SetSwapInterval(1);
     return follow_size(display) || device_fail(error, "window: no framebuffer of its size");
 }
@@ -167,7 +172,19 @@ static bool open_window(struct display *display, struct device_error *error)
     if (!window->window) {
         return device_fail(error, "window: %s", SDL_GetError());
     }
+    window->link = desktop_link(window->window);
     return true;
+}
+
+/* Nothing is shown any more, nor anything asked of SDL. */
+static bool is_cut(struct display *display)
+{
+    struct window *window = display->own;
+    if (!window->cut && desktop_link_is_cut(window->link)) {
+        window->cut = display->closed = true;
+        snprintf(display->note, sizeof display->note, "the desktop has gone");
+    }
+    return window->cut;
 }
 
 static bool window_create(struct display *display, struct device_error *error)
@@ -177,6 +194,7 @@ static bool window_create(struct display *display, struct device_error *error)
     if (!window) {
         return device_fail(error, "window: memory is short");
     }
+    window->link = -1;
     if (!open_window(display, error) || !open_context(display, error)) {
         return false;
     }
@@ -202,13 +220,14 @@ static void window_destroy(struct display *display)
     if (!window) {
         return;
     }
-    if (window->context) {
+    bool cut = is_cut(display); /* what SDL and EGL have then ends with the process */
+    if (window->context && !cut) {
         close_context(display);
     }
-    if (window->window) {
+    if (window->window && !cut) {
         SDL_DestroyWindow(window->window);
     }
-    if (window->subsystem) {
+    if (window->subsystem && !cut) {
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
     }
     free(window);
@@ -265,6 +284,9 @@ static void take_events(struct display *display)
 {
     struct window *window = display->own;
     SDL_Event event;
+    if (is_cut(display)) {
+        return;
+    }
     while (SDL_PollEvent(&event)) {
         take_event(display, &event);
     }
@@ -288,6 +310,11 @@ static void window_wait(struct display *display, int timeout_ms)
         uint64_t left_us = window->next_us > now_us ? window->next_us - now_us : 0;
         until_ms = (int)(left_us / 1000) < until_ms ? (int)((left_us + 999) / 1000) : until_ms;
     }
+    if (window->link >= 0) {
+        display_poll(display, (const int[2]){window->link, -1}, until_ms);
+        take_events(display);
+        return;
+    }
     static const int NONE[2] = {-1, -1};
     uint64_t end_us = now_us + (uint64_t)until_ms * 1000;
     while (until_ms > 0 && !display_poll(display, NONE, 0)) {
@@ -304,14 +331,14 @@ static void window_wait(struct display *display, int timeout_ms)
 static bool window_begin(struct display *display)
 {
     const struct window *window = display->own;
-    if (source_now_us() < window->next_us || !window->canvas.framebuffer) {
+    if (window->cut || source_now_us() < window->next_us || !window->canvas.framebuffer) {
         return false;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, display->framebuffer);
     return true;
 }
 
-static void show_canvas(const struct display *display)
+static void show_canvas(struct display *display)
 {
     const struct window *window = display->own;
     int width = display->panel.width, height = display->panel.height;
@@ -320,7 +347,12 @@ static void show_canvas(const struct display *display)
     glBindFramebuffer(GL_READ_FRAMEBUFFER, window->canvas.framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    SDL_GL_SwapWindow(window->window);
+    if (window->software) {
+        glFinish(); /* all that is left is to copy: the desktop has little time to go meanwhile */
+    }
+    if (!is_cut(display)) {
+        SDL_GL_SwapWindow(window->window);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, window->canvas.framebuffer);
     if (scissor) {
         glEnable(GL_SCISSOR_TEST);
@@ -342,6 +374,9 @@ static void window_end(struct display *display)
 static bool window_renew(struct display *display, struct device_error *error)
 {
     struct window *window = display->own;
+    if (is_cut(display)) {
+        return device_fail(error, "window: the desktop has gone");
+    }
     if (window->context) {
         close_context(display);
     }

@@ -1,5 +1,11 @@
 #include "display_window_input.h"
 
+/* A mouse whose button is down is heard beyond the window too. */
+static float clamp(float value)
+{
+    return value < 0 ? 0 : value > 1 ? 1 : value;
+}
+
 /* SDL names its own mouse events made of touches, and we asked for none. */
 static bool take_mouse(struct window_input *input, const SDL_Event *event, int width, int height, struct event *finger)
 {
@@ -14,8 +20,8 @@ static bool take_mouse(struct window_input *input, const SDL_Event *event, int w
                                                         : EVENT_UP;
     input->pressed = finger->kind != EVENT_UP;
     finger->slot = 0;
-    finger->x = ((float)x + .5f) / (float)width; /* the point's middle */
-    finger->y = ((float)y + .5f) / (float)height;
+    finger->x = clamp(((float)x + .5f) / (float)width); /* the point's middle */
+    finger->y = clamp(((float)y + .5f) / (float)height);
     return true;
 }
 
@@ -54,8 +60,8 @@ static bool take_touch(struct window_input *input, const SDL_TouchFingerEvent *t
     input->down[slot] = finger->kind != EVENT_UP;
     input->finger[slot] = touch->fingerId;
     finger->slot = slot;
-    finger->x = touch->x;
-    finger->y = touch->y;
+    finger->x = clamp(touch->x);
+    finger->y = clamp(touch->y);
     return true;
 }
 

@@ -2,14 +2,17 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include "display_source.h"
 #include "kms_ioctl.h"
+
+enum { MAJOR = 226, CARDS = 64 }; /* numbers of the nodes: admin-guide/devices.txt of the kernel */
 
 void kms_card_close(struct kms_card *card)
 {
@@ -28,13 +31,18 @@ static struct kms_card *open_path(const char *path, bool legacy)
     }
     struct kms_card *card = &device->card;
     card->calls = &kms_ioctl_calls;
-    snprintf(card->path, sizeof card->path, "%s", path);
     card->fd = open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (card->fd < 0) {
         int code = errno;
         free(device);
         errno = code;
         return NULL;
+    }
+    snprintf(card->path, sizeof card->path, "%s", path);
+    struct stat node;
+    if (fstat(card->fd, &node) == 0 && major(node.st_rdev) == MAJOR && minor(node.st_rdev) < CARDS) {
+        /* not that of a link in /dev/dri/by-path: sysfs goes by the name of the node */
+        snprintf(card->path, sizeof card->path, "/dev/dri/card%u", minor(node.st_rdev));
     }
     card->atomic = !legacy && drmSetClientCap(card->fd, DRM_CLIENT_CAP_ATOMIC, 1) == 0;
     drmSetClientCap(card->fd, DRM_CLIENT_CAP_UNIVERSAL_PLANES, 1);
@@ -51,17 +59,17 @@ static struct kms_card *open_named(const char *path, const struct kms_wish *wish
 {
     struct kms_card *card = open_path(path, legacy);
     if (!card) {
-        device_fail(error, "kms: %s: %s", path, strerror(errno));
+        device_fail(error, "%s: %s", path, strerror(errno));
         return NULL;
     }
     int code = card->calls->scan(card, true, scan);
     if (code != 0 || scan->connector_count == 0) {
-        device_fail(error, "kms: %s (%s): %s", path, card->driver,
+        device_fail(error, "%s (%s): %s", path, card->driver,
                     code == 0 || code == EOPNOTSUPP ? "it has no connectors, it only renders" : strerror(code));
     } else if (kms_card_score(scan, wish) == 0) {
         char names[KMS_CONNECTORS * KMS_NAME];
         kms_connector_names(scan, names, sizeof names);
-        device_fail(error, "kms: %s (%s): it has no connector %s, but %.120s", path, card->driver,
+        device_fail(error, "%s (%s): it has no connector %s, but %.120s", path, card->driver,
                     wish->connector ? wish->connector : "for a screen", names);
     } else {
         return card;
@@ -76,14 +84,18 @@ static struct kms_card *open_best(const struct kms_wish *wish, bool legacy, stru
 {
     struct kms_card *best = NULL;
     int best_score = 0;
-    glob_t found = {0};
-    device_fail(error, "kms: no /dev/dri/card* on this machine");
-    if (glob("/dev/dri/card*", 0, NULL, &found) != 0) {
-        return NULL;
-    }
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        struct kms_card *card = open_named(found.gl_pathv[i], wish, legacy, scan, error);
+    struct device_error reasons = {""}, why;
+    for (int number = 0; number < CARDS; number++) {
+        char path[32];
+        snprintf(path, sizeof path, "/dev/dri/card%d", number);
+        if (access(path, F_OK) != 0) {
+            continue;
+        }
+        struct kms_card *card = open_named(path, wish, legacy, scan, &why);
         int score = card ? kms_card_score(scan, wish) : 0;
+        if (!card) {
+            device_fail_too(&reasons, &why);
+        }
         if (score > best_score) {
             kms_card_close(best);
             best = card;
@@ -92,7 +104,9 @@ static struct kms_card *open_best(const struct kms_wish *wish, bool legacy, stru
             kms_card_close(card);
         }
     }
-    globfree(&found);
+    if (!best) {
+        device_fail(error, "kms: %.280s", reasons.text[0] ? reasons.text : "no /dev/dri/card* on this machine");
+    }
     return best;
 }
 
@@ -103,7 +117,13 @@ struct kms_card *kms_card_open(const char *path, const struct kms_wish *wish, bo
         device_fail(error, "kms: memory is short");
         return NULL;
     }
-    struct kms_card *card = path ? open_named(path, wish, legacy, scan, error) : open_best(wish, legacy, scan, error);
+    struct kms_card *card = NULL;
+    struct device_error why;
+    if (!path) {
+        card = open_best(wish, legacy, scan, error);
+    } else if (!(card = open_named(path, wish, legacy, scan, &why))) {
+        device_fail(error, "kms: %.280s", why.text);
+    }
     free(scan);
     return card;
 }

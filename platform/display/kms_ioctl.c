@@ -9,9 +9,10 @@
 
 #include <drm_fourcc.h>
 
+/* Of the calls of libdrm that say -errno. */
 static int reason(int result)
 {
-    return result == 0 ? 0 : result < 0 && errno == 0 ? -result : errno;
+    return result < 0 ? -result : 0;
 }
 
 static uint64_t property_of(int fd, const uint32_t *ids, const uint64_t *values, int count, const char *name,
@@ -47,7 +48,9 @@ static void read_connector(int fd, const drmModeConnector *from, struct kms_conn
         drmModeFreeEncoder(encoder);
     }
     to->mode_count = from->count_modes < KMS_MODES ? from->count_modes : KMS_MODES;
-    memcpy(to->modes, from->modes, (size_t)to->mode_count * sizeof to->modes[0]);
+    for (int i = 0; i < to->mode_count; i++) {
+        to->modes[i] = from->modes[i];
+    }
 }
 
 /* Of what the last probe found, which connectors are connected now, by sysfs: the ioctl would wait for the kernel's own
@@ -83,7 +86,9 @@ static int scan_by_ioctl(struct kms_card *card, bool probe, struct kms_scan *sca
     }
     scan->connector_count = 0;
     scan->crtc_count = resources->count_crtcs < KMS_CRTCS ? resources->count_crtcs : KMS_CRTCS;
-    memcpy(scan->crtcs, resources->crtcs, (size_t)scan->crtc_count * sizeof scan->crtcs[0]);
+    for (int i = 0; i < scan->crtc_count; i++) {
+        scan->crtcs[i] = resources->crtcs[i];
+    }
     for (int i = 0; i < resources->count_connectors && scan->connector_count < KMS_CONNECTORS; i++) {
         uint32_t id = resources->connectors[i];
         drmModeConnector *connector =
@@ -202,7 +207,6 @@ static int card_commit(struct kms_card *card, const struct kms_value *values, in
         result = drmModeAtomicAddProperty(request, values[i].object, values[i].property, values[i].value);
     }
     if (result >= 0) {
-        errno = 0;
         result = drmModeAtomicCommit(card->fd, request, flags, pointer_of(token));
     }
     int code = reason(result);
@@ -217,20 +221,17 @@ static int card_set_crtc(struct kms_card *card, uint32_t crtc, uint32_t framebuf
     if (mode) {
         copy = *mode;
     }
-    errno = 0;
     return reason(drmModeSetCrtc(card->fd, crtc, mode ? framebuffer : 0, x, y, mode ? &connector : NULL, mode ? 1 : 0,
                                  mode ? &copy : NULL));
 }
 
 static int card_flip(struct kms_card *card, uint32_t crtc, uint32_t framebuffer, uint64_t token)
 {
-    errno = 0;
     return reason(drmModePageFlip(card->fd, crtc, framebuffer, DRM_MODE_PAGE_FLIP_EVENT, pointer_of(token)));
 }
 
 static int card_set_property(struct kms_card *card, uint32_t connector, uint32_t property, uint64_t value)
 {
-    errno = 0;
     return reason(drmModeConnectorSetProperty(card->fd, connector, property, value));
 }
 

@@ -1,13 +1,13 @@
 #include "gpio_bank.h"
 
 #include <errno.h>
-#include <grp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/epoll.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "source_device.h"
 
 /* ---- chips */
 
@@ -37,32 +37,12 @@ static bool chip_matches(const struct bank_line *line, const struct bank_chip *c
            strcmp(line->chip, chip->info.name) == 0 || same_path(line->chip, chip->path);
 }
 
-/* What can be done about a node that may not be opened. */
-static void say_denied(const char *path, char *text, size_t size)
-{
-    struct stat node;
-    const struct group *group = stat(path, &node) == 0 ? getgrgid(node.st_gid) : NULL;
-    if (group && node.st_gid != 0 && (node.st_mode & 060) == 060) {
-        snprintf(text, size, "no permission for %s: make the user a member of group '%s'", path, group->gr_name);
-    } else {
-        snprintf(text, size,
-                 "no permission for %s: add the udev rule SUBSYSTEM==\"gpio\", KERNEL==\"gpiochip*\", GROUP=\"gpio\", "
-                 "MODE=\"0660\" and the group 'gpio'",
-                 path);
-    }
-}
-
 static void say_failed(const char *path, int code, char *text, size_t size)
 {
-    if (code == EACCES || code == EPERM) {
-        say_denied(path, text, size);
-        return;
-    }
-    char reason[80];
-    if (strerror_r(code, reason, sizeof reason) != 0) {
-        snprintf(reason, sizeof reason, "error %d", code);
-    }
-    snprintf(text, size, "%s: %s", path, reason);
+    char reason[BANK_TROUBLE];
+    device_explain(reason, sizeof reason, path, code,
+                   "SUBSYSTEM==\"gpio\", KERNEL==\"gpiochip*\", GROUP=\"gpio\", MODE=\"0660\"");
+    snprintf(text, size, "%.31s: %.120s", path, reason);
 }
 
 /* Its place; -1: `text` says why not. */
@@ -115,7 +95,7 @@ static void say_line(const struct bank_chip *chip, int offset, const char *name,
 static void say_refused(const struct bank_chip *chip, int offset, const struct gpio_line_info *info, int code,
                         char *text, size_t size)
 {
-    char which[100], reason[80];
+    char which[100];
     say_line(chip, offset, info->name, which, sizeof which);
     if (code == EBUSY && info->consumer[0]) {
         snprintf(text, size, "%s is taken by '%.31s'", which, info->consumer);
@@ -124,10 +104,7 @@ static void say_refused(const struct bank_chip *chip, int offset, const struct g
     } else if (code == ENXIO || code == ENOTTY || code == EOPNOTSUPP) {
         snprintf(text, size, "%.85s cannot do this: the chip reports no changes of it, or is read-only", which);
     } else {
-        if (strerror_r(code, reason, sizeof reason) != 0) {
-            snprintf(reason, sizeof reason, "error %d", code);
-        }
-        snprintf(text, size, "%.70s cannot be had: %.70s", which, reason);
+        snprintf(text, size, "%.70s cannot be had: %.70s", which, strerror(code));
     }
 }
 
@@ -321,11 +298,8 @@ void bank_lose(struct gpio_bank *bank, int number, int code)
 {
     int place = bank->lines[number].place;
     struct bank_chip *chip = &bank->chips[place];
-    char reason[80];
-    if (code == -ENODEV || strerror_r(-code, reason, sizeof reason) != 0) {
-        snprintf(reason, sizeof reason, "it was removed");
-    }
-    source_note(bank->queue, "%s '%s' has left: %s", chip->info.name, chip->info.label, reason);
+    source_note(bank->queue, "%s '%s' has left: %s", chip->info.name, chip->info.label,
+                code == -ENODEV ? "it was removed" : strerror(-code));
     for (int i = 0; i < bank->count; i++) {
         struct bank_line *line = &bank->lines[i];
         if (line->line && line->place == place) {
@@ -369,14 +343,15 @@ static void check_line(struct gpio_bank *bank, int number)
 
 void bank_check(struct gpio_bank *bank)
 {
-    bool missing = false;
+    bool missing = false, lost = false;
     for (int i = 0; i < bank->count; i++) {
         check_line(bank, i);
     }
     for (int i = 0; i < bank->count; i++) {
         missing |= !bank->lines[i].line;
+        lost |= bank->lines[i].lost;
     }
-    if (missing) {
+    if (missing && !lost) { /* what was lost is let go of first, as on the chip that it was on */
         take_missing(bank);
     }
     bank->retry_us = bank->count > 0 ? bank->ops->now_us(bank->context) + BANK_RETRY_US : 0;

@@ -43,11 +43,12 @@ struct gpio_bank {
     uint64_t retry_us; /* bank_check is due; 0: nothing to check */
 };
 
-/* `lines` are filled from the title to the request. False: no epoll. */
+/* `lines` are filled from the title to the request. False with errno: no epoll. */
 bool bank_start(struct gpio_bank *bank);
-/* Gives everything back; takes a bank that has not started. */
+/* Gives everything back; takes one that could not be started. */
 void bank_stop(struct gpio_bank *bank);
-/* Every BANK_RETRY_US: asks every line whether it is still there, takes what is missing. */
+/* Every BANK_RETRY_US: asks every line whether it is still there, takes what is missing; but nothing while a line is
+ * `lost`. */
 void bank_check(struct gpio_bank *bank);
 /* A line has failed with -errno: its chip is gone, all its lines are lost. */
 void bank_lose(struct gpio_bank *bank, int number, int code);

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "source_queue.h"
+
 /* The number of a node "gpiochip12"; -1: it is something else. */
 static long chip_number(const char *name)
 {
@@ -48,6 +50,12 @@ int gpio_lines_scan(void *context, char (*paths)[GPIO_PATH], int most)
         last = next;
     }
     return listed;
+}
+
+uint64_t gpio_lines_now_us(void *context)
+{
+    (void)context;
+    return source_now_us();
 }
 
 void gpio_lines_port(const char *name, char *port, int size)

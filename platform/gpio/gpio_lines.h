@@ -74,8 +74,9 @@ struct gpio_lines_ops {
 
 /* The libgpiod that this was built with; its context is NULL. */
 extern const struct gpio_lines_ops gpio_lines_system;
-/* ops->scan of both: /dev/gpiochip* */
+/* ops->scan and ops->now_us of both: /dev/gpiochip*, and the kernel's clock */
 int gpio_lines_scan(void *context, char (*paths)[GPIO_PATH], int most);
+uint64_t gpio_lines_now_us(void *context);
 /* Where a chip is plugged in, from sysfs: "platform/fe200000.gpio"; "" where that is not to be found. `size` >= 1 */
 void gpio_lines_port(const char *name, char *port, int size);
 

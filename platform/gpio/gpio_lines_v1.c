@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "source_queue.h"
+#include "source_device.h"
 
 /* libgpiod keeps requested lines inside their chip, so that both are its own structures. */
 static struct gpiod_chip *chip_of(struct gpio_chip *chip)
@@ -38,8 +38,8 @@ static void v1_close(struct gpio_chip *chip)
 
 static void v1_info(struct gpio_chip *chip, struct gpio_chip_info *info)
 {
-    snprintf(info->name, sizeof info->name, "%s", gpiod_chip_name(chip_of(chip)));
-    snprintf(info->label, sizeof info->label, "%s", gpiod_chip_label(chip_of(chip)));
+    device_copy_text(info->name, sizeof info->name, gpiod_chip_name(chip_of(chip)));
+    device_copy_text(info->label, sizeof info->label, gpiod_chip_label(chip_of(chip)));
     info->lines = (int)gpiod_chip_num_lines(chip_of(chip));
 }
 
@@ -51,8 +51,8 @@ static int v1_line_info(struct gpio_chip *chip, int offset, struct gpio_line_inf
         return errno ? errno : ENODEV;
     }
     const char *name = gpiod_line_name(line), *consumer = gpiod_line_consumer(line);
-    snprintf(info->name, sizeof info->name, "%s", name ? name : "");
-    snprintf(info->consumer, sizeof info->consumer, "%s", consumer ? consumer : "");
+    device_copy_text(info->name, sizeof info->name, name);
+    device_copy_text(info->consumer, sizeof info->consumer, consumer);
     info->used = gpiod_line_is_used(line);
     return 0;
 }
@@ -151,12 +151,6 @@ static int v1_set(struct gpio_line *line, bool active)
     return errno ? -errno : -ENODEV;
 }
 
-static uint64_t v1_now(void *context)
-{
-    (void)context;
-    return source_now_us();
-}
-
 const struct gpio_lines_ops gpio_lines_system = {
     .scan = gpio_lines_scan,
     .open = v1_open,
@@ -170,5 +164,5 @@ const struct gpio_lines_ops gpio_lines_system = {
     .read = v1_read,
     .get = v1_get,
     .set = v1_set,
-    .now_us = v1_now,
+    .now_us = gpio_lines_now_us,
 };

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "source_queue.h"
+#include "source_device.h"
 
 enum { KERNEL_EDGES = 256 }; /* kept for a line: two visitors' fast spins between two frames */
 
@@ -50,8 +50,8 @@ static void v2_info(struct gpio_chip *chip, struct gpio_chip_info *info)
     struct gpiod_chip_info *found = gpiod_chip_get_info(chip_of(chip));
     *info = (struct gpio_chip_info){.lines = 0};
     if (found) {
-        snprintf(info->name, sizeof info->name, "%s", gpiod_chip_info_get_name(found));
-        snprintf(info->label, sizeof info->label, "%s", gpiod_chip_info_get_label(found));
+        device_copy_text(info->name, sizeof info->name, gpiod_chip_info_get_name(found));
+        device_copy_text(info->label, sizeof info->label, gpiod_chip_info_get_label(found));
         info->lines = (int)gpiod_chip_info_get_num_lines(found);
         gpiod_chip_info_free(found);
     }
@@ -65,8 +65,8 @@ static int v2_line_info(struct gpio_chip *chip, int offset, struct gpio_line_inf
         return failure();
     }
     const char *name = gpiod_line_info_get_name(found), *consumer = gpiod_line_info_get_consumer(found);
-    snprintf(info->name, sizeof info->name, "%s", name ? name : "");
-    snprintf(info->consumer, sizeof info->consumer, "%s", consumer ? consumer : "");
+    device_copy_text(info->name, sizeof info->name, name);
+    device_copy_text(info->consumer, sizeof info->consumer, consumer);
     info->used = gpiod_line_info_is_used(found);
     gpiod_line_info_free(found);
     return 0;
@@ -210,12 +210,6 @@ static int v2_set(struct gpio_line *line, bool active)
     return gpiod_line_request_set_value(line->request, line->offset, value) == 0 ? 0 : -failure();
 }
 
-static uint64_t v2_now(void *context)
-{
-    (void)context;
-    return source_now_us();
-}
-
 const struct gpio_lines_ops gpio_lines_system = {
     .scan = gpio_lines_scan,
     .open = v2_open,
@@ -229,5 +223,5 @@ const struct gpio_lines_ops gpio_lines_system = {
     .read = v2_read,
     .get = v2_get,
     .set = v2_set,
-    .now_us = v2_now,
+    .now_us = gpio_lines_now_us,
 };

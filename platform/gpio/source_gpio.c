@@ -467,8 +467,8 @@ struct source *source_gpio_create_on(const struct source_gpio_def *def, const st
     }
     gpio_definition_lines(def, &gpio->bank);
     if (!bank_start(&gpio->bank)) {
-        device_fail(error, "GPIO: too many files are open");
-        free(gpio);
+        device_fail(error, "GPIO: %s", strerror(errno));
+        gpio_destroy(&gpio->source);
         return NULL;
     }
     bank_check(&gpio->bank);

@@ -2,9 +2,8 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
-#include "source_queue.h"
+#include "source_device.h"
 
 struct hid_definition {
     struct source_hid_def def;
@@ -12,7 +11,7 @@ struct hid_definition {
     struct hid_lamp_def *lamps;
 };
 
-static bool copy_name(struct hid_match *match)
+static bool copy_name(struct device_match *match)
 {
     match->name = match->name ? strdup(match->name) : NULL;
     return match->name != NULL;
@@ -36,13 +35,13 @@ static bool copy_device(struct hid_device_def *to, const struct hid_device_def *
 
 static bool check_device(const struct hid_device_def *device, int which, struct device_error *error)
 {
-    const struct hid_match *match = &device->match;
+    const struct device_match *match = &device->match;
     if (!match->vendor && !match->product && !match->name) {
         return device_fail(error, "hid: device %d of the definition matches everything", which);
     }
     for (int i = 0; i < device->map_count; i++) {
         const struct hid_map_entry *entry = &device->map[i];
-        if (entry->bits < 1 || entry->bits > 32 || entry->bit + (uint32_t)entry->bits > 8 * HID_REPORT_BYTES) {
+        if (entry->bits < 1 || entry->bits > 32 || entry->bit > 8u * HID_REPORT_BYTES - (uint32_t)entry->bits) {
             return device_fail(error, "hid: entry %d of the map of device %d: %d bits from bit %u; 1 to 32 are allowed",
                                i, which, entry->bits, entry->bit);
         }
@@ -104,22 +103,9 @@ const struct source_hid_def *hid_definition_get(const struct hid_definition *def
     return &definition->def;
 }
 
-static bool contains(const char *text, const char *part)
+bool hid_matches(const struct device_match *match, const struct hid_node *node)
 {
-    size_t length = strlen(part);
-    for (; *text; text++) {
-        if (strncasecmp(text, part, length) == 0) {
-            return true;
-        }
-    }
-    return length == 0;
-}
-
-bool hid_matches(const struct hid_match *match, const struct hid_node *node)
-{
-    return (match->vendor == 0 || match->vendor == node->vendor) &&
-           (match->product == 0 || match->product == node->product) &&
-           (!match->name || contains(node->name, match->name));
+    return device_matches(match, node->vendor, node->product, node->name);
 }
 
 const struct hid_device_def *hid_definition_find(const struct hid_definition *definition, const struct hid_node *node)

@@ -13,7 +13,7 @@ struct hid_definition *hid_definition_create(const struct source_hid_def *def, s
 void hid_definition_destroy(struct hid_definition *definition); /* takes NULL */
 const struct source_hid_def *hid_definition_get(const struct hid_definition *definition);
 
-bool hid_matches(const struct hid_match *match, const struct hid_node *node);
+bool hid_matches(const struct device_match *match, const struct hid_node *node);
 /* The entry that counts for a device; NULL: none does. */
 const struct hid_device_def *hid_definition_find(const struct hid_definition *definition, const struct hid_node *node);
 

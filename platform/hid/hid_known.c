@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "source_device.h"
+
 static size_t longest_report(const struct hid_descriptor *descriptor)
 {
     size_t longest = 0;
@@ -16,18 +18,10 @@ static size_t longest_report(const struct hid_descriptor *descriptor)
 
 static void describe_failure(const struct hid_node *node, int code, char *text, size_t size)
 {
-    if (code == EACCES || code == EPERM) {
-        snprintf(text, size,
-                 "no permission; udev rule: SUBSYSTEM==\"hidraw\", KERNELS==\"*:%04X:%04X.*\", GROUP=\"input\", "
-                 "MODE=\"0660\"",
-                 node->vendor, node->product);
-    } else {
-        char reason[80];
-        if (strerror_r(code, reason, sizeof reason) != 0) {
-            snprintf(reason, sizeof reason, "error %d", code);
-        }
-        snprintf(text, size, "cannot be opened: %s", reason);
-    }
+    char rule[120];
+    snprintf(rule, sizeof rule, "SUBSYSTEM==\"hidraw\", KERNELS==\"*:%04X:%04X.*\", GROUP=\"input\", MODE=\"0660\"",
+             node->vendor, node->product);
+    device_explain(text, size, node->path, code, rule);
 }
 
 bool hid_known_open(struct hid_known *known, const struct hid_opening *opening, char *text, size_t size)

@@ -11,6 +11,8 @@
 #include <hidapi.h>
 #include <libudev.h>
 
+#include "source_device.h"
+
 /* UTF-8, whatever the locale is; what a terminal might obey becomes '?'. */
 static void copy_wide(char *to, size_t size, const wchar_t *from)
 {
@@ -45,16 +47,6 @@ static void copy_wide(char *to, size_t size, const wchar_t *from)
     to[length] = '\0';
 }
 
-static void copy(char *to, size_t size, const char *from)
-{
-    snprintf(to, size, "%s", from ? from : "");
-    for (char *c = to; *c; c++) {
-        if ((unsigned char)*c < 0x20 || *c == 0x7f) {
-            *c = '?';
-        }
-    }
-}
-
 static void read_descriptor(struct hid_node *node, const char *folder)
 {
     char path[1024];
@@ -67,8 +59,9 @@ static void read_descriptor(struct hid_node *node, const char *folder)
         return;
     }
     size_t size = 0;
-    for (ssize_t got = 1; got > 0 && size<sizeof bytes; size += got> 0 ? (size_t)got : 0) {
-        got = read(fd, bytes + size, sizeof bytes - size);
+    ssize_t got;
+    while (size < sizeof bytes && (got = read(fd, bytes + size, sizeof bytes - size)) > 0) {
+        size += (size_t)got;
     }
     close(fd);
     node->descriptor = hid_descriptor_create(bytes, size, &error);
@@ -88,7 +81,7 @@ static void ask_udev(struct hid_node *node, struct udev *udev)
     struct udev_device *usb =
         device ? udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device") : NULL;
     if (hid) {
-        copy(node->port, sizeof node->port, udev_device_get_property_value(hid, "HID_PHYS"));
+        device_copy_text(node->port, sizeof node->port, udev_device_get_property_value(hid, "HID_PHYS"));
         read_descriptor(node, udev_device_get_syspath(hid));
     } else {
         snprintf(node->trouble, sizeof node->trouble, "sysfs says nothing of it");
@@ -96,7 +89,8 @@ static void ask_udev(struct hid_node *node, struct udev *udev)
     if (usb) {
         const char *path = udev_device_get_syspath(usb);
         size_t length = strlen(path);
-        copy(node->parent, sizeof node->parent, length < SOURCE_NAME ? path : path + length - SOURCE_NAME + 1);
+        device_copy_text(node->parent, sizeof node->parent,
+                         length < SOURCE_NAME ? path : path + length - SOURCE_NAME + 1);
     }
     if (device) {
         udev_device_unref(device);
@@ -124,7 +118,7 @@ int hid_nodes_list(struct udev *udev, struct hid_node *nodes, int most)
         }
         struct hid_node *node = &nodes[count++];
         *node = (struct hid_node){.vendor = info->vendor_id, .product = info->product_id};
-        copy(node->path, sizeof node->path, info->path);
+        device_copy_text(node->path, sizeof node->path, info->path);
         copy_wide(node->name, sizeof node->name, info->product_string);
         copy_wide(node->serial, sizeof node->serial, info->serial_number);
         if (!node->name[0]) {

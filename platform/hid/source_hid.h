@@ -9,14 +9,9 @@
 
 enum { SOURCE_HID_DEVICES = 64 }; /* known at a time, those that may come back among them */
 
-struct hid_match {
-    uint16_t vendor, product; /* 0: any */
-    const char *name;         /* a part of the name that the device gives itself, case aside; NULL: any */
-};
-
 /* The first that matches a device counts. It is admitted, whatever it is, and all that it has is heard. */
 struct hid_device_def {
-    struct hid_match match;
+    struct device_match match;
     bool refuse;   /* never open it, whatever it is */
     bool keyboard; /* it may be one; else the entry is none for keyboards, whatever they call themselves */
     const struct hid_map_entry *map; /* what the descriptor does not explain */
@@ -25,7 +20,7 @@ struct hid_device_def {
 
 struct hid_lamp_def {
     int lamp; /* its number, as in source_ops.lamp; several may share one */
-    struct hid_match match;
+    struct device_match match;
     uint32_t usage; /* of an output field, page << 16 | usage; 0: the bits below instead */
     int index;      /* which of several of that usage */
     uint8_t report; /* its id; 0: the reports have none */

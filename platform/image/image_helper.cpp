@@ -219,6 +219,12 @@ void check(const OIIO::ImageSpec &spec, const read_limits &limits)
     }
 }
 
+// As what is read counts (image.h).
+double finite(float value)
+{
+    return std::isfinite(value) ? double(value) : 0.0;
+}
+
 // Takes rows of pixels, gives rows of blocks: the mean of linear light, of colours by their alpha.
 class shrinker
 {
@@ -233,9 +239,9 @@ class shrinker
     {
         for (int x = 0; x < m_width; x++, row += m_channels) {
             double *sum = &m_sums[size_t(x / m_block) * size_t(m_channels)];
-            double weight = m_alpha >= 0 ? double(row[m_alpha]) : 1.0;
+            double weight = m_alpha >= 0 ? finite(row[m_alpha]) : 1.0;
             for (int c = 0; c < m_channels; c++) {
-                sum[c] += c == m_alpha ? weight : weight * double(row[c]);
+                sum[c] += c == m_alpha ? weight : weight * finite(row[c]);
             }
         }
         m_rows++;

@@ -1,4 +1,4 @@
-#define _GNU_SOURCE /* posix_spawn_file_actions_addclosefrom_np, strerror_r */
+#define _GNU_SOURCE /* posix_spawn_file_actions_addclosefrom_np */
 #include "image_process.h"
 
 #include <errno.h>
@@ -90,26 +90,27 @@ static long long now_ms(void)
     return (long long)now.tv_sec * 1000 + now.tv_nsec / 1000000;
 }
 
-/* Waits until the helper ends or its time is over, then kills it. True: ended by itself. */
-static bool wait_or_kill(pid_t pid, int seconds, siginfo_t *end)
+/* Waits until the helper ends. 0: by itself. Else it was killed: ETIMEDOUT, its time was over; others, nobody can tell
+ * when it ends. */
+static int wait_or_kill(pid_t pid, int seconds, siginfo_t *end)
 {
     long long deadline = now_ms() + seconds * 1000LL;
     int watch = (int)syscall(SYS_pidfd_open, pid, 0);
-    bool ended = false;
+    int code = watch < 0 ? errno : ETIMEDOUT;
     if (watch >= 0) {
         struct pollfd ready = {.fd = watch, .events = POLLIN};
-        for (long long left; !ended && (left = deadline - now_ms()) > 0;) {
-            ended = poll(&ready, 1, (int)left) == 1;
+        for (long long left; code != 0 && (left = deadline - now_ms()) > 0;) {
+            code = poll(&ready, 1, (int)left) == 1 ? 0 : ETIMEDOUT;
         }
         close(watch);
     }
-    if (!ended) {
+    if (code != 0) {
         kill(pid, SIGKILL);
     }
     memset(end, 0, sizeof *end);
     while (waitid(P_PID, (id_t)pid, end, WEXITED) != 0 && errno == EINTR) {
     }
-    return ended;
+    return code;
 }
 
 static enum image_outcome judge(const struct image_job *job, const siginfo_t *end, struct file_error *error)
@@ -147,17 +148,14 @@ enum image_outcome image_process_run(const struct image_job *job, struct file_er
     int output = fcntl(job->output, F_DUPFD_CLOEXEC, 3);
     pid_t pid = -1;
     int code = input < 0 || output < 0 ? errno : start(job, helper, input, output, &pid);
+    siginfo_t end;
+    code = code == 0 ? wait_or_kill(pid, job->seconds, &end) : code;
     if (code == 0) {
-        siginfo_t end;
-        if (wait_or_kill(pid, job->seconds, &end)) {
-            outcome = judge(job, &end, error);
-        } else {
-            file_fail(error, job->path, "took longer than %d s", job->told_seconds);
-        }
+        outcome = judge(job, &end, error);
+    } else if (code == ETIMEDOUT) {
+        file_fail(error, job->path, "took longer than %d s", job->told_seconds);
     } else {
-        char text[128];
-        file_fail(error, job->path, "the picture helper %s does not start: %s", helper,
-                  strerror_r(code, text, sizeof text));
+        file_fail(error, job->path, "the picture helper %s does not start: %s", helper, strerror(code));
     }
     if (input >= 0) {
         close(input);

@@ -21,7 +21,8 @@ struct broker {
     pthread_t thread;
     pthread_mutex_t mutex; /* for all that follows */
     pthread_cond_t changed;
-    bool ends, has_line;
+    bool ends, ended, abandoned; /* it shall; the thread has; the thread frees all this when it does */
+    bool has_line;
     char line[LINE];
     struct broker_post {
         char topic[BROKER_TOPIC];
@@ -159,31 +160,18 @@ static void talk(struct broker *broker)
     mosquitto_loop(broker->client, TURN_MS, 1);
 }
 
-static void *work(void *context)
+static struct timespec in_seconds(int seconds)
 {
-    struct broker *broker = context;
-    int wait_s = 1;
-    while (!has_ended(broker)) {
-        if (greet(broker)) {
-            talk(broker);
-            wait_s = broker->connected ? 1 : wait_s;
-        }
-        struct timespec until;
-        clock_gettime(CLOCK_MONOTONIC, &until);
-        until.tv_sec += wait_s;
-        wait_s = 2 * wait_s < BROKER_AGAIN_MOST_S ? 2 * wait_s : BROKER_AGAIN_MOST_S;
-        pthread_mutex_lock(&broker->mutex);
-        while (!broker->ends && pthread_cond_timedwait(&broker->changed, &broker->mutex, &until) != ETIMEDOUT) {
-        }
-        pthread_mutex_unlock(&broker->mutex);
-    }
-    return NULL;
+    struct timespec until;
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_sec += seconds;
+    return until;
 }
 
+/* All but the library, whose count of users is not guarded against other threads. */
 static void finish(struct broker *broker)
 {
     mosquitto_destroy(broker->client);
-    mosquitto_lib_cleanup();
     pthread_cond_destroy(&broker->changed);
     pthread_mutex_destroy(&broker->mutex);
     for (int i = 0; i < BROKER_TOPICS; i++) {
@@ -193,6 +181,33 @@ static void finish(struct broker *broker)
         free(broker->fields[i]);
     }
     free(broker);
+}
+
+static void *work(void *context)
+{
+    struct broker *broker = context;
+    int wait_s = 1;
+    while (!has_ended(broker)) {
+        if (greet(broker)) {
+            talk(broker);
+            wait_s = broker->connected ? 1 : wait_s;
+        }
+        struct timespec until = in_seconds(wait_s);
+        wait_s = 2 * wait_s < BROKER_AGAIN_MOST_S ? 2 * wait_s : BROKER_AGAIN_MOST_S;
+        pthread_mutex_lock(&broker->mutex);
+        while (!broker->ends && pthread_cond_timedwait(&broker->changed, &broker->mutex, &until) != ETIMEDOUT) {
+        }
+        pthread_mutex_unlock(&broker->mutex);
+    }
+    pthread_mutex_lock(&broker->mutex);
+    broker->ended = true;
+    bool abandoned = broker->abandoned;
+    pthread_cond_signal(&broker->changed);
+    pthread_mutex_unlock(&broker->mutex);
+    if (abandoned) {
+        finish(broker);
+    }
+    return NULL;
 }
 
 static bool copy_def(struct broker *broker, const struct broker_def *def)
@@ -236,6 +251,7 @@ struct broker *broker_create(const struct broker_def *def, struct device_error *
     if (!good) {
         device_fail(error, "a topic is none, or memory is short");
         finish(broker);
+        mosquitto_lib_cleanup();
         return NULL;
     }
     return broker;
@@ -246,12 +262,22 @@ void broker_destroy(struct broker *broker)
     if (!broker) {
         return;
     }
+    pthread_t thread = broker->thread;
+    struct timespec until = in_seconds(BROKER_GOODBYE_S);
     pthread_mutex_lock(&broker->mutex);
     broker->ends = true;
     pthread_cond_signal(&broker->changed);
+    while (!broker->ended && pthread_cond_timedwait(&broker->changed, &broker->mutex, &until) != ETIMEDOUT) {
+    }
+    bool abandoned = broker->abandoned = !broker->ended;
     pthread_mutex_unlock(&broker->mutex);
-    pthread_join(broker->thread, NULL);
+    if (abandoned) { /* in a connect() that nothing answers, for two minutes, or in a search for the host's address */
+        pthread_detach(thread);
+        return;
+    }
+    pthread_join(thread, NULL);
     finish(broker);
+    mosquitto_lib_cleanup();
 }
 
 bool broker_publish(struct broker *broker, const char *topic, const char *text)

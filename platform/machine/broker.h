@@ -14,6 +14,7 @@ enum {
     BROKER_TEXT = 128,   /* bytes of a message that is listened to, with the final NUL; longer ones are not taken */
     BROKER_WAITING = 16, /* messages that nobody has fetched; what comes then is not taken */
     BROKER_AGAIN_MOST_S = 60,
+    BROKER_GOODBYE_S = 2, /* that broker_destroy() waits at most */
 };
 
 struct broker_def { /* all of it is copied; paths are read when it connects */
@@ -30,7 +31,7 @@ struct broker;
 
 /* NULL with the reason in `error`. That the broker cannot be reached is no reason. */
 struct broker *broker_create(const struct broker_def *def, struct device_error *error);
-/* Takes NULL. Says goodbye, and waits for the thread: at most a few seconds where a network hangs. */
+/* Takes NULL. Says goodbye, and waits for the thread; where a network hangs the thread is left to end by itself. */
 void broker_destroy(struct broker *broker);
 /* Publishes, retained, at least once. False when memory is short or BROKER_TOPICS others wait. */
 bool broker_publish(struct broker *broker, const char *topic, const char *text);

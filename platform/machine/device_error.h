@@ -12,5 +12,7 @@ struct device_error {
 
 /* Writes the line. Always returns false, so that a caller can `return device_fail(...)`. */
 bool device_fail(struct device_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Joins another line to what is there, if anything: "A; B", as far as it fits. */
+void device_fail_too(struct device_error *error, const struct device_error *other);
 
 #endif

@@ -81,12 +81,13 @@ bool feed_put(struct feed *feed, const void *data, size_t size)
 bool feed_close(struct feed *feed)
 {
     int status = 0;
+    pid_t ended;
     if (!feed) {
         return false;
     }
     close(feed->end);
-    while (waitpid(feed->child, &status, 0) < 0 && errno == EINTR) {
+    while ((ended = waitpid(feed->child, &status, 0)) < 0 && errno == EINTR) {
     }
     free(feed);
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }

@@ -14,6 +14,7 @@
 enum {
     PATH_SHOWN = 200, /* bytes of a path in a message: room stays for the reason */
     TEMPORARY_NAME = 40,
+    TEMPORARY_DIGITS = 16,
 };
 
 static const struct {
@@ -62,11 +63,7 @@ bool file_fail_code(struct file_error *error, const char *path, int code)
             return file_fail(error, path, "%s", reasons[i].reason);
         }
     }
-    char text[128];
-    if (strerror_r(code, text, sizeof text) != 0) {
-        snprintf(text, sizeof text, "error %d", code);
-    }
-    return file_fail(error, path, "%s", text);
+    return file_fail(error, path, "%s", strerror(code));
 }
 
 bool file_write_whole(int fd, const void *data, size_t size)
@@ -156,6 +153,15 @@ static int write_new(const struct file_calls *calls, int folder, const char *nam
     return code;
 }
 
+static const char TEMPORARY_START[] = ".frond-", TEMPORARY_END[] = ".part";
+
+bool file_is_temporary(const char *name)
+{
+    size_t start = strlen(TEMPORARY_START);
+    return strncmp(name, TEMPORARY_START, start) == 0 && strspn(name + start, "0123456789abcdef") == TEMPORARY_DIGITS &&
+           strcmp(name + start + TEMPORARY_DIGITS, TEMPORARY_END) == 0;
+}
+
 int file_write_atomic_by(const struct file_calls *calls, const char *path, const void *data, size_t size)
 {
     const char *name;
@@ -166,7 +172,8 @@ int file_write_atomic_by(const struct file_calls *calls, const char *path, const
         return errno;
     }
     int code = getrandom(&random, sizeof random, 0) == (ssize_t)sizeof random ? 0 : errno;
-    snprintf(temporary, sizeof temporary, ".frond-%016" PRIx64 ".part", random);
+    snprintf(temporary, sizeof temporary, "%s%0*" PRIx64 "%s", TEMPORARY_START, TEMPORARY_DIGITS, random,
+             TEMPORARY_END);
     code = code ? code : write_new(calls, folder, temporary, data, size);
     bool named = code == 0 && calls->renameat(folder, temporary, folder, name) == 0;
     if (named) {

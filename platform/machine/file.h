@@ -32,6 +32,10 @@ bool file_write_whole(int fd, const void *data, size_t size);
  * another thread. */
 bool file_write_atomic(const char *path, const void *data, size_t size, struct file_error *error);
 
+/* Whether a file of this name is a temporary of file_write_atomic: found where nobody writes, it is what a pulled plug
+ * has left, and may go. */
+bool file_is_temporary(const char *name);
+
 /* What writing asks of the system, so that a test can have a disk that fails. Each as the call of its name. */
 struct file_calls {
     int (*openat)(int folder, const char *path, int flags, mode_t mode);

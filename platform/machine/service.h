@@ -1,14 +1,14 @@
 /* What the service manager hears of a running kiosk, by sd_notify(3): that it is ready, alive, what it does, and that
  * it ends. Without a service manager (no NOTIFY_SOCKET) nothing is said and everything works.
  *
- *   READY=1      after the first completed frame, or the first turn while none can complete
- *   WATCHDOG=1   four times in WatchdogSec, and only if a frame has been completed since the last one, and the thread
- * that paints has turned or has been told to rest: what hangs in the loop, in a tick, in GL or in the kernel's page
- * flip starves it, and the manager starts Frond again. While no frame can complete, the screen being absent, dark or
- * lent, frames do not count: that is a state of days, and no fault. STATUS=      what the visit is in, at most once a
- * second, when it is another than before RELOADING=1  around another exhibit, with READY=1 after it STOPPING=1   at the
- * end
- */
+ * - READY=1: after the first completed frame, or the first turn while none can complete
+ * - WATCHDOG=1: four times in WatchdogSec, and only if a frame has been completed since the last one, and the thread
+ *   that paints has turned or has been told to rest: what hangs in the loop, in a tick, in GL or in the kernel's page
+ *   flip starves it, and the manager starts Frond again. While no frame can complete, the screen being absent, dark or
+ *   lent, frames do not count: that is a state of days, and no fault
+ * - STATUS=: what the visit is in, at most once a second, when it is another than before
+ * - RELOADING=1: around another exhibit, with READY=1 after it
+ * - STOPPING=1: at the end */
 #ifndef FROND_SERVICE_H
 #define FROND_SERVICE_H
 

@@ -1,10 +1,11 @@
 /* How hot the board is, and whether it holds back: by the kernel's thermal zones and cooling devices, and what the
  * firmware of a Raspberry Pi tells besides. Where a machine tells none of it (most virtual machines), reading costs
  * nothing and knows nothing.
- *   /sys/class/thermal/thermal_zone*     temperatures; the zones of processors, GPU and chip, not of radios or
- * batteries /sys/class/thermal/cooling_device*   a processor or GPU whose frequency the kernel holds down
- *   /sys/class/hwmon/hwmon*              rpi_volt: the supply is too weak
- *   /sys/devices/platform/soc/soc:firmware/get_throttled    all three, by the kernels of Raspberry Pi OS */
+ *
+ * - /sys/class/thermal/thermal_zone*: temperatures; the zones of processors, GPU and chip, not of radios or batteries
+ * - /sys/class/thermal/cooling_device*: a processor or GPU whose frequency the kernel holds down
+ * - /sys/class/hwmon/hwmon*: rpi_volt, the supply is too weak
+ * - /sys/devices/platform/soc/soc:firmware/get_throttled: all three, by the kernels of Raspberry Pi OS */
 #ifndef FROND_THERMAL_H
 #define FROND_THERMAL_H
 

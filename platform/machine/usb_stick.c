@@ -84,7 +84,7 @@ static void read_line(struct usb_stick *stick, char *line, char what[WHAT_MOST])
 static bool read_list(struct usb_stick *stick)
 {
     size_t size = 0;
-    ssize_t count;
+    ssize_t count = 0;
     if (lseek(stick->fd, 0, SEEK_SET) != 0) {
         return false;
     }
@@ -92,7 +92,7 @@ static bool read_list(struct usb_stick *stick)
         size += (size_t)count;
     }
     stick->text[size] = '\0';
-    return true;
+    return count >= 0;
 }
 
 enum usb_stick_news usb_stick_look(struct usb_stick *stick)

@@ -27,6 +27,11 @@ enum { SOURCE_NAME = 96, SOURCE_EVENTS = 1024 };
 #define DEVICE_CONTROLLER "controller"
 #define DEVICE_LINES      "lines"
 
+struct device_match {         /* whom a definition means */
+    uint16_t vendor, product; /* 0: any */
+    const char *name;         /* a part of the name that the device gives itself, case aside; NULL: any */
+};
+
 struct device {               /* what is plugged in, used or not */
     uint32_t id;              /* as in struct event */
     const char *class;        /* DEVICE_TOUCH, ...; lives for ever */

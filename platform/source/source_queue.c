@@ -5,6 +5,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "source_device.h"
+
 static struct event *at(struct source_queue *queue, unsigned place)
 {
     return &queue->events[(queue->first + place) % SOURCE_EVENTS];
@@ -113,6 +115,7 @@ void source_note(struct source_queue *queue, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(line, SOURCE_LOG_LENGTH, format, arguments);
     va_end(arguments);
+    device_clean_text(line);
     queue->line_count++;
 }
 

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "seat_hold.h"
+#include "source_device.h"
 #include "source_queue.h"
 #include "touch_device.h"
 #include "touch_fingers.h"
@@ -53,7 +54,8 @@ static void note_refusal(struct source_touch *touch, const char *path, int code)
     if (!touch_device_read_node(&device, touch->udev, path)) {
         return;
     }
-    touch_device_explain(device.trouble, sizeof device.trouble, path, code);
+    device_explain(device.trouble, sizeof device.trouble, path, code,
+                   "SUBSYSTEM==\"input\", KERNEL==\"event*\", GROUP=\"input\", MODE=\"0660\"");
     device.admission = touch_admit(&touch->definition->def, &device.traits);
     source_note(&touch->queue, "%s '%.40s' (%.40s): %s", touch_class(&device.traits), device.traits.name, path,
                 device.trouble);

@@ -26,14 +26,9 @@ enum {
     SOURCE_TOUCH_KEYS = 64,    /* of a definition */
 };
 
-struct source_touch_match {
-    uint16_t vendor, product; /* 0: any */
-    const char *name;         /* a part of the name that the device gives itself, case aside; NULL: any */
-};
-
 /* The first that matches a device counts, and says what of it is heard. Nothing: it is refused. */
 struct source_touch_device_def {
-    struct source_touch_match match;
+    struct device_match match;
     bool touch, pointer, keys;
 };
 

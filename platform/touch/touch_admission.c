@@ -2,9 +2,8 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
-#include "source_queue.h"
+#include "source_device.h"
 
 static char *copy_text(const char *text, bool *good)
 {
@@ -91,29 +90,12 @@ void touch_definition_destroy(struct touch_definition *definition)
     }
 }
 
-static bool holds(const char *text, const char *part)
-{
-    size_t length = strlen(part);
-    for (; *text; text++) {
-        if (strncasecmp(text, part, length) == 0) {
-            return true;
-        }
-    }
-    return length == 0;
-}
-
-static bool matches(const struct source_touch_match *match, const struct touch_traits *traits)
-{
-    return (!match->vendor || match->vendor == traits->vendor) &&
-           (!match->product || match->product == traits->product) && (!match->name || holds(traits->name, match->name));
-}
-
 struct touch_admission touch_admit(const struct source_touch_def *def, const struct touch_traits *traits)
 {
     bool screen = traits->touch && !traits->touchpad;
     for (int i = 0; i < def->device_count; i++) {
         const struct source_touch_device_def *device = &def->devices[i];
-        if (matches(&device->match, traits)) {
+        if (device_matches(&device->match, traits->vendor, traits->product, traits->name)) {
             return (struct touch_admission){.touch = device->touch && screen,
                                             .pointer = device->pointer && traits->pointer,
                                             .keys = device->keys && traits->keys && def->key_count > 0};

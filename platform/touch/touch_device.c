@@ -1,20 +1,14 @@
 #include "touch_device.h"
 
-#include <errno.h>
-#include <grp.h>
 #include <libinput.h>
 #include <libudev.h>
 #include <linux/input.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 
-static void copy(char *to, size_t size, const char *from)
-{
-    snprintf(to, size, "%s", from ? from : "");
-}
+#include "source_device.h"
 
 static bool is_set(struct udev_device *node, const char *property)
 {
@@ -36,10 +30,10 @@ static void read_udev(struct touch_device *device, struct udev_device *node)
     bool pointer = properties & 1u << INPUT_PROP_POINTER, direct = properties & 1u << INPUT_PROP_DIRECT;
     device->traits.touchpad = is_set(node, "ID_INPUT_TOUCHPAD") || (pointer && !direct);
     device->traits.phantom = attribute(input, "id/bustype") == BUS_CEC;
-    copy(device->path, sizeof device->path, udev_device_get_devnode(node));
-    copy(device->port, sizeof device->port, udev_device_get_property_value(node, "ID_PATH"));
+    device_copy_text(device->path, sizeof device->path, udev_device_get_devnode(node));
+    device_copy_text(device->port, sizeof device->port, udev_device_get_property_value(node, "ID_PATH"));
     if (!device->port[0] && input) { /* "usb-0000:00:14.0-2/input0" */
-        copy(device->port, sizeof device->port, udev_device_get_sysattr_value(input, "phys"));
+        device_copy_text(device->port, sizeof device->port, udev_device_get_sysattr_value(input, "phys"));
     }
 }
 
@@ -47,7 +41,7 @@ void touch_device_read(struct touch_device *device, struct libinput_device *from
 {
     struct touch_traits *traits = &device->traits;
     struct udev_device *node = libinput_device_get_udev_device(from);
-    copy(traits->name, sizeof traits->name, libinput_device_get_name(from));
+    device_copy_text(traits->name, sizeof traits->name, libinput_device_get_name(from));
     traits->vendor = (uint16_t)libinput_device_get_id_vendor(from);
     traits->product = (uint16_t)libinput_device_get_id_product(from);
     traits->touch = libinput_device_has_capability(from, LIBINPUT_DEVICE_CAP_TOUCH);
@@ -68,7 +62,7 @@ bool touch_device_read_node(struct touch_device *device, struct udev *udev, cons
         return false;
     }
     struct udev_device *input = udev_device_get_parent_with_subsystem_devtype(node, "input", NULL);
-    copy(traits->name, sizeof traits->name, input ? udev_device_get_sysattr_value(input, "name") : NULL);
+    device_copy_text(traits->name, sizeof traits->name, input ? udev_device_get_sysattr_value(input, "name") : NULL);
     traits->vendor = (uint16_t)attribute(input, "id/vendor");
     traits->product = (uint16_t)attribute(input, "id/product");
     traits->touch = is_set(node, "ID_INPUT_TOUCHSCREEN");
@@ -77,26 +71,6 @@ bool touch_device_read_node(struct touch_device *device, struct udev *udev, cons
     read_udev(device, node);
     udev_device_unref(node);
     return true;
-}
-
-void touch_device_explain(char *text, size_t size, const char *path, int code)
-{
-    struct stat status;
-    struct group group, *found = NULL;
-    char names[1024];
-    if ((code != EACCES && code != EPERM) || stat(path, &status) != 0) {
-        snprintf(text, size, "it cannot be opened: %s", strerror(code));
-        return;
-    }
-    getgrgid_r(status.st_gid, &group, names, sizeof names, &found);
-    if (status.st_mode & S_IRGRP && found && status.st_gid != 0) {
-        snprintf(text, size, "no permission: Frond's user must be in the group '%.32s' (SupplementaryGroups=%.32s)",
-                 found->gr_name, found->gr_name);
-    } else {
-        snprintf(text, size,
-                 "no permission, which a udev rule must give: SUBSYSTEM==\"input\", KERNEL==\"event*\", "
-                 "GROUP=\"input\", MODE=\"0660\"");
-    }
 }
 
 static int likeness(const struct touch_device *a, const struct touch_device *b)
@@ -156,8 +130,8 @@ void touch_device_describe(const struct touch_device *device, struct device *des
                         .vendor = device->traits.vendor,
                         .product = device->traits.product,
                         .admitted = device->admission.touch || device->admission.pointer || device->admission.keys};
-    copy(described->name, sizeof described->name, device->traits.name);
-    copy(described->path, sizeof described->path, device->path);
-    copy(described->port, sizeof described->port, device->port);
-    copy(described->trouble, sizeof described->trouble, device->trouble);
+    device_copy_text(described->name, sizeof described->name, device->traits.name);
+    device_copy_text(described->path, sizeof described->path, device->path);
+    device_copy_text(described->port, sizeof described->port, device->port);
+    device_copy_text(described->trouble, sizeof described->trouble, device->trouble);
 }

@@ -31,8 +31,6 @@ struct touch_devices {
 void touch_device_read(struct touch_device *device, struct libinput_device *from);
 /* The same of a node that cannot be opened, from what udev says; false: udev does not know it. */
 bool touch_device_read_node(struct touch_device *device, struct udev *udev, const char *path);
-/* Why a node cannot be opened, and how to mend that. */
-void touch_device_explain(char *text, size_t size, const char *path, int code);
 
 /* The place for a device that has come, with all that `device` says: its own of before, if it has been here. NULL: too
  * many are. */

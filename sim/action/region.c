@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "piece.h"
+
 static float clamp_unit(float value)
 {
     value = value >= 0.0f ? value : 0.0f; /* NaN as well */
@@ -71,12 +73,8 @@ bool region_is_laid(const struct action *action)
 /* Squared distance of `cell` from the piece a-b; `nearest` is left as it was unless this piece is nearer. */
 static float piece_distance(struct point a, struct point b, struct point cell, float nearest, struct point *along)
 {
-    float dx = b.x - a.x, dy = b.y - a.y, px = cell.x - a.x, py = cell.y - a.y;
-    float length = dx * dx + dy * dy, t = length > 0.0f ? (px * dx + py * dy) / length : 0.0f;
-    t = t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t;
-    px -= t * dx;
-    py -= t * dy;
-    float distance = px * px + py * py;
+    float dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
+    float distance = piece_square(cell.x - a.x, cell.y - a.y, dx, dy);
     if (distance >= nearest) {
         return nearest;
     }

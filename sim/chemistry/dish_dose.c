@@ -3,6 +3,7 @@
 
 #include "dish_state.h"
 #include "gray_scott_state.h"
+#include "piece.h"
 #include "random.h"
 
 /* More v than Pearson's seed has, so that a line two cells wide and a disc of three take with every preset that does
@@ -28,9 +29,7 @@ float dish_apart(const struct dish *dish, const struct action_path *path, struct
     for (int i = 0; i < path->count; i++) {
         struct point a = path->points[i > 0 ? i - 1 : 0], b = path->points[i];
         float dx = (b.x - a.x) * wide, dy = (b.y - a.y) * high, square = dx * dx + dy * dy;
-        float px = at.x - a.x * wide, py = at.y - a.y * high, t = square > 0 ? (px * dx + py * dy) / square : 0;
-        t = t > 0 ? t < 1 ? t : 1 : 0;
-        float ex = px - t * dx, ey = py - t * dy, distance = ex * ex + ey * ey;
+        float distance = piece_square(at.x - a.x * wide, at.y - a.y * high, dx, dy);
         if (distance < least) {
             float length = sqrtf(square);
             least = distance;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "gray_scott_state.h"
+#include "piece.h"
 #include "random.h"
 
 #define EDGE 2.0f /* cells over which a brush fades */
@@ -74,16 +75,6 @@ static void bring(struct gray_scott *chemistry, int x, int y, float share, float
     *v = within(*v + share * (to_v - *v));
 }
 
-/* Square of the distance from a point to a piece of line, all in cells. */
-static float distance2(float x, float y, struct point a, struct point b)
-{
-    float dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
-    float t = length2 > 0 ? ((x - a.x) * dx + (y - a.y) * dy) / length2 : 0;
-    t = within(t);
-    float ex = a.x + t * dx - x, ey = a.y + t * dy - y;
-    return ex * ex + ey * ey;
-}
-
 /* The distance to the path squared, the least of its pieces: each cell is painted once, however often the path comes
  * by. */
 static float path_distance2(const struct gray_scott *chemistry, const struct action_path *path, float x, float y)
@@ -92,7 +83,7 @@ static float path_distance2(const struct gray_scott *chemistry, const struct act
     for (int i = 0; i < path->count; i++) {
         struct point a = path->points[i > 0 ? i - 1 : 0], b = path->points[i];
         struct point from = {a.x * width, a.y * height}, to = {b.x * width, b.y * height};
-        float distance = distance2(x, y, from, to);
+        float distance = piece_square(x - from.x, y - from.y, to.x - from.x, to.y - from.y);
         least = distance < least ? distance : least;
     }
     return least;

@@ -6,6 +6,7 @@
 #include "along.h"
 #include "distance.h"
 #include "hash.h"
+#include "piece.h"
 #include "rounded.h"
 #include "storm_state.h"
 
@@ -52,13 +53,8 @@ static struct piece piece_of(const struct storm *storm, const struct bolt_segmen
 /* Of the middle of a pixel. */
 static float distance_from(const struct piece *piece, int x, int y)
 {
-    float dx = piece->bx - piece->ax, dy = piece->by - piece->ay;
-    float px = (float)x + 0.5f - piece->ax, py = (float)y + 0.5f - piece->ay, length = dx * dx + dy * dy;
-    float t = length > 0 ? (px * dx + py * dy) / length : 0;
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    px -= t * dx;
-    py -= t * dy;
-    return sqrtf(px * px + py * py);
+    float px = (float)x + 0.5f - piece->ax, py = (float)y + 0.5f - piece->ay;
+    return sqrtf(piece_square(px, py, piece->bx - piece->ax, piece->by - piece->ay));
 }
 
 void storm_field_draw(const struct storm *storm, int slot, int width, int height, float *values)

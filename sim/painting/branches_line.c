@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "branches_work.h"
+#include "piece.h"
 
 enum { SMOOTHINGS = 4 };
 
@@ -23,11 +24,7 @@ static void smooth(struct branch_point *points, int count)
 /* From the line a-b, or from a where the two are one. */
 static float distance_to(struct branch_point a, struct branch_point b, struct branch_point point)
 {
-    float x = b.x - a.x, y = b.y - a.y, u = point.x - a.x, v = point.y - a.y;
-    float square = x * x + y * y;
-    float along = square > 0 ? (u * x + v * y) / square : 0;
-    along = along < 0 ? 0 : along > 1 ? 1 : along;
-    return hypotf(u - along * x, v - along * y);
+    return sqrtf(piece_square(point.x - a.x, point.y - a.y, b.x - a.x, b.y - a.y));
 }
 
 /* Marks the points that stay between two that do: Douglas and Peucker (1973), with the halves still to do kept in

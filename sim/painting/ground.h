@@ -64,7 +64,9 @@ uint16_t ground_fresh_xi(const struct ground *ground, int x, int y);
 /* For verbs (painting_verb.h). Does something to each cell within the bounds of the action's region; returns those. */
 struct rectangle ground_each_cell(struct ground *ground, const struct action *action,
                                   void (*act)(struct ground *, const struct region *, int x, int y));
-/* The same, ground_coefficients.c: a brush on the ground around a cell, `reach` cells far, and the `set` action. */
+/* The same, ground_coefficients.c: a brush on the ground around a cell, `reach` cells far, and the `set` action.
+ * Of a whole coefficient `set` keeps what is left of the point, where key_take would round: journals hold the values
+ * that dials gave, and must come to the same painting. */
 struct rectangle ground_stamp(struct ground *ground, int x, int y, int brush, float reach);
 struct rectangle ground_set(struct ground *ground, const struct action *action);
 

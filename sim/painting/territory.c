@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "piece.h"
+
 #define EDGE 1.5f /* cells around a mark that are always its own */
 #define CORE 4.0f /* cells around what others did later that are always theirs */
 #define SOFT 3.0f /* cells over which what is put back fades into what stays */
@@ -20,12 +22,8 @@ enum {
 
 float mark_distance(const struct mark *mark, float x, float y)
 {
-    float dx = mark->x1 - mark->x0, dy = mark->y1 - mark->y0, px = x - mark->x0, py = y - mark->y0;
-    float length = dx * dx + dy * dy, t = length > 0.0f ? (px * dx + py * dy) / length : 0.0f;
-    t = t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t;
-    px -= t * dx;
-    py -= t * dy;
-    return sqrtf(px * px + py * py) - mark->radius;
+    float square = piece_square(x - mark->x0, y - mark->y0, mark->x1 - mark->x0, mark->y1 - mark->y0);
+    return sqrtf(square) - mark->radius;
 }
 
 /* A field over the box with a border of one cell. */

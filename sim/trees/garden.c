@@ -211,19 +211,18 @@ static void take_hold(struct garden *garden, const struct action *action)
 
 static void take_tend(struct garden *garden, const struct action *action)
 {
-    enum { POINTS = 1024 };
-    float points[POINTS][2];
-    if (!garden_bed_ready(garden)) {
+    int count = action->path.count;
+    struct point *points = count > 0 && garden_bed_ready(garden) ? malloc((size_t)count * sizeof *points) : NULL;
+    if (!points) {
         return;
     }
-    struct bed *bed = garden->bed;
-    int count = action->path.count < POINTS ? action->path.count : POINTS;
     for (int i = 0; i < count; i++) {
-        garden_node_place(garden, action->path.points[i], &points[i][0], &points[i][1]);
+        points[i] = garden_node_place(garden, action->path.points[i]);
     }
     float radius = action->radius * garden_node_scale(garden);
     radius = radius > 1 ? radius : 1;
-    struct rectangle touched = garden_tend(bed, (const float(*)[2])points, count, radius, action->amount);
+    struct rectangle touched = garden_tend(garden->bed, points, count, radius, action->amount);
+    free(points);
     if (!rectangle_is_empty(touched)) {
         garden->tended = rectangle_is_empty(garden->tended) ? touched : rectangle_join(garden->tended, touched);
         garden->work |= WORK_ROUTES;

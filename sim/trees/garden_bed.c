@@ -150,10 +150,9 @@ static struct bed *bed_create(const struct garden *garden)
     return bed;
 }
 
-void garden_node_place(const struct garden *garden, struct point at, float *x, float *y)
+struct point garden_node_place(const struct garden *garden, struct point at)
 {
-    *x = at.x * (float)garden->bed->width - 0.5f;
-    *y = at.y * (float)garden->bed->height - 0.5f;
+    return (struct point){at.x * (float)garden->bed->width - 0.5f, at.y * (float)garden->bed->height - 0.5f};
 }
 
 float garden_node_scale(const struct garden *garden)
@@ -278,7 +277,7 @@ static void sum_up(struct bed *bed, struct rectangle within)
     }
 }
 
-struct rectangle garden_tend(struct bed *bed, const float (*points)[2], int count, float radius, float amount)
+struct rectangle garden_tend(struct bed *bed, const struct point *points, int count, float radius, float amount)
 {
     struct rectangle touched = importance_stroke(bed->tended, points, count, radius, 0.5f * amount);
     const struct rectangle *picture = &bed->picture;

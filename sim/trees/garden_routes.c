@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "garden_state.h"
+#include "piece.h"
 
 enum {
     UNKNOWN = 254, /* owners */
@@ -46,10 +47,7 @@ static float off_way(const struct bed *bed, int32_t seed, int x, int y)
     float x0 = (float)lattice_x(bed->base, seed), y0 = (float)lattice_y(bed->base, seed);
     float dx = 0.5f * (float)(bed->picture.x0 + bed->picture.x1) - x0;
     float dy = 0.5f * (float)(bed->picture.y0 + bed->picture.y1) - y0;
-    float px = (float)x - x0, py = (float)y - y0, square = dx * dx + dy * dy;
-    float t = square > 0 ? (px * dx + py * dy) / square : 0;
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return (px - t * dx) * (px - t * dx) + (py - t * dy) * (py - t * dy);
+    return piece_square((float)x - x0, (float)y - y0, dx, dy);
 }
 
 static uint16_t legal(unsigned weight)
@@ -248,8 +246,8 @@ bool garden_route(struct garden *garden, bool anew)
     }
     for (int i = 0; i < GARDEN_HOLDS; i++) {
         const struct hold *hold = &garden->holds[i];
-        struct hand hand = {.radius = hold->radius * garden_node_scale(garden)};
-        garden_node_place(garden, hold->at, &hand.x, &hand.y);
+        struct point at = garden_node_place(garden, hold->at);
+        struct hand hand = {at.x, at.y, hold->radius * garden_node_scale(garden)};
         if (hold->lies) {
             lay_hand(bed, &hand);
         }

@@ -84,12 +84,12 @@ void garden_bed_destroy(struct bed *bed); /* takes NULL */
 /* Makes the bed where another is wanted. False where there is no picture, or when memory is short. */
 bool garden_bed_ready(struct garden *garden);
 /* Where a place of the sheet is, in nodes; how many nodes a cell is. */
-void garden_node_place(const struct garden *garden, struct point at, float *x, float *y);
+struct point garden_node_place(const struct garden *garden, struct point at);
 float garden_node_scale(const struct garden *garden);
 /* Importance and weights, as WORK_IMPORTANCE and WORK_LATTICE ask for. False when memory is short. */
 bool garden_weigh(struct garden *garden, unsigned work);
 /* What a stroke adds, in nodes; the rectangle that may have changed. */
-struct rectangle garden_tend(struct bed *bed, const float (*points)[2], int count, float radius, float amount);
+struct rectangle garden_tend(struct bed *bed, const struct point *points, int count, float radius, float amount);
 /* Takes all that away; whether there was any. */
 bool garden_untend(struct bed *bed);
 /* Weighs the rectangle anew after that. */

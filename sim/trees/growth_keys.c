@@ -49,7 +49,7 @@ const struct key growth_keys[] = {
     WHOLE(iterations, "", 1, 5, 3, "Iterations of a tree after its primary branches."),
     WHOLE(primary, "", 0, 16, 6, "Primary branches of a tree."),
     WHOLE(layers, "", 1, GROWTH_LAYERS_MAX, 2, "Crowns of a tree behind one another."),
-    CHOICE(side, SIDES, SIDE_LEFT, "The side of a tree's crown that grows free of the picture."),
+    CHOICE(side, SIDES, GROWTH_SIDE_LEFT, "The side of a tree's crown that grows free of the picture."),
     NUMBER(radius, "of the height", 0.02, 1, 0.26, "How far a tree's first iteration reaches; half each time."),
     NUMBER(spacing, "", 1, 200, 20, "Threshold of stippling in a tree's first iteration; half each time."),
     NUMBER(crown, "", 0.1, 2, 1, "Size of a tree's crown."),

@@ -35,11 +35,11 @@ static float crown_at(const struct planting *planting, float x, float y)
 static float wild_at(const struct growth_def *def, float x)
 {
     switch (def->side) {
-    case SIDE_LEFT:
+    case GROWTH_SIDE_LEFT:
         return smooth_between(0.51f, 0.39f, x);
-    case SIDE_RIGHT:
+    case GROWTH_SIDE_RIGHT:
         return smooth_between(0.49f, 0.61f, x);
-    case SIDE_ALL:
+    case GROWTH_SIDE_ALL:
         return 1;
     default:
         return 0;
@@ -110,7 +110,7 @@ static bool grow_trunk(struct planting *planting)
     for (int32_t i = from; i < dendrite->node_count; i++) {
         planting->list[count++] = dendrite->nodes[i].vertex;
     }
-    float spread = def->side == SIDE_LEFT ? 1 : 1.15f, start = def->side == SIDE_LEFT ? 0.12f : -0.08f;
+    float spread = def->side == GROWTH_SIDE_LEFT ? 1 : 1.15f, start = def->side == GROWTH_SIDE_LEFT ? 0.12f : -0.08f;
     int32_t tips[16];
     for (int i = 0; i < def->primary; i++) {
         float luck = random_unit(i, 1, (uint32_t)def->seed, RANDOM_PLACE);
@@ -139,8 +139,8 @@ static int32_t choose(struct planting *planting, const struct stipple *stipple, 
             chosen[count++] = nodes[i];
         }
     }
-    guided = side == SIDE_ALL ? planting->width * planting->height / (2600 >> (2 * iteration)) : count;
-    int32_t free_ones = side == SIDE_NONE ? 0 : side == SIDE_ALL ? guided : guided / 2;
+    guided = side == GROWTH_SIDE_ALL ? planting->width * planting->height / (2600 >> (2 * iteration)) : count;
+    int32_t free_ones = side == GROWTH_SIDE_NONE ? 0 : side == GROWTH_SIDE_ALL ? guided : guided / 2;
     int32_t strays = guided / 12;
     for (int32_t i = 0; i < (free_ones + strays) * TRIES && (free_ones > 0 || strays > 0); i++) {
         int x = (int)(random_unit(i, 2 * iteration, planting->seed, RANDOM_PLACE) * (float)planting->width);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "memory.h"
+#include "piece.h"
 
 enum { TAPS_MAX = 48, CURVE = 1024, BINS = 2048 };
 
@@ -188,25 +189,23 @@ void importance_destroy(struct importance *importance)
 }
 
 /* The square of the distance to a path, in squares of `radius`. */
-static float far_from(const float (*points)[2], int count, float x, float y, float radius)
+static float far_from(const struct point *points, int count, float x, float y, float radius)
 {
     float nearest = 1;
     for (int i = 0; i < count; i++) {
-        const float *from = points[i], *to = points[i + 1 < count ? i + 1 : i];
-        float dx = to[0] - from[0], dy = to[1] - from[1], square = dx * dx + dy * dy;
-        float t = square > 0 ? ((x - from[0]) * dx + (y - from[1]) * dy) / square : 0;
-        t = t < 0 ? 0 : t > 1 ? 1 : t;
-        float ex = x - from[0] - t * dx, ey = y - from[1] - t * dy, far = (ex * ex + ey * ey) / (radius * radius);
+        struct point from = points[i], to = points[i + 1 < count ? i + 1 : i];
+        float square = piece_square(x - from.x, y - from.y, to.x - from.x, to.y - from.y);
+        float far = square / (radius * radius);
         nearest = far < nearest ? far : nearest;
     }
     return nearest;
 }
 
-static struct rectangle around(const float (*points)[2], int count, float radius)
+static struct rectangle around(const struct point *points, int count, float radius)
 {
     struct rectangle all = {0, 0, 0, 0};
     for (int i = 0; i < count; i++) {
-        float x = points[i][0], y = points[i][1];
+        float x = points[i].x, y = points[i].y;
         struct rectangle one = {(int)floorf(x - radius), (int)ceilf(x + radius) + 1, (int)floorf(y - radius),
                                 (int)ceilf(y + radius) + 1};
         all = i == 0 ? one : rectangle_join(all, one);
@@ -214,7 +213,7 @@ static struct rectangle around(const float (*points)[2], int count, float radius
     return all;
 }
 
-struct rectangle importance_stroke(struct importance *importance, const float (*points)[2], int count, float radius,
+struct rectangle importance_stroke(struct importance *importance, const struct point *points, int count, float radius,
                                    float amount)
 {
     struct rectangle touched = rectangle_clip(around(points, count, radius), importance->width, importance->height);
@@ -234,8 +233,7 @@ struct rectangle importance_stroke(struct importance *importance, const float (*
 
 struct rectangle importance_brush(struct importance *importance, float x, float y, float radius, float amount)
 {
-    const float point[1][2] = {{x, y}};
-    return importance_stroke(importance, point, 1, radius, amount);
+    return importance_stroke(importance, &(struct point){x, y}, 1, radius, amount);
 }
 
 float importance_at(const struct importance *importance, float x, float y)

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "action.h"
 #include "rectangle.h"
 
 enum { IMPORTANCE_SIZE_MAX = 4096 }; /* pixels a side */
@@ -42,7 +43,7 @@ void importance_destroy(struct importance *importance); /* takes NULL */
 struct rectangle importance_brush(struct importance *importance, float x, float y, float radius, float amount);
 
 /* The same along a path of `count` points, pixels, at once: where it crosses itself it counts once. */
-struct rectangle importance_stroke(struct importance *importance, const float (*points)[2], int count, float radius,
+struct rectangle importance_stroke(struct importance *importance, const struct point *points, int count, float radius,
                                    float amount);
 
 /* Bilinear, clamped to the borders. */

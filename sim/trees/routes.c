@@ -5,8 +5,6 @@
 
 #include "memory.h"
 
-enum { REPLAN_PART = 6 };
-
 const char *const metric_names[METRICS + 1] = {"cumulative", "partial", "weighted", "full", NULL};
 
 struct routes *routes_create(const struct lattice *lattice)
@@ -19,8 +17,9 @@ struct routes *routes_create(const struct lattice *lattice)
     routes->lattice = lattice;
     routes->label = memory_take(nodes, sizeof *routes->label, &bytes);
     routes->toward = memory_take(nodes, sizeof *routes->toward, &bytes);
-    routes->stack = memory_take(nodes, sizeof *routes->stack, &bytes);
-    if (!route_queue_init(&routes->queue) || !routes->label || !routes->toward || !routes->stack) {
+    routes->stack = memory_take(2 * nodes, sizeof *routes->stack, &bytes);
+    routes->before = memory_take(nodes, sizeof *routes->before, &bytes);
+    if (!route_queue_init(&routes->queue) || !routes->label || !routes->toward || !routes->stack || !routes->before) {
         routes_destroy(routes);
         return NULL;
     }
@@ -37,6 +36,7 @@ void routes_destroy(struct routes *routes)
         free(routes->label);
         free(routes->toward);
         free(routes->stack);
+        free(routes->before);
         free(routes->seeds);
         free(routes);
     }
@@ -57,70 +57,21 @@ uint64_t routes_sum(const struct routes *routes, int32_t node)
     return routes->label[node] & ((UINT64_C(1) << ROUTES_SUM_BITS) - 1);
 }
 
-/* What the frontier is sorted by. */
-static inline uint64_t key_of(const struct routes *routes, enum metric metric, uint64_t label)
-{
-    if (metric != METRIC_WEIGHTED) {
-        return label;
-    }
-    uint64_t maximum = label >> ROUTES_SUM_BITS, sum = label & ((UINT64_C(1) << ROUTES_SUM_BITS) - 1);
-    return maximum * (uint64_t)(ROUTES_AXIS * routes->emphasis) + sum;
-}
-
-static inline bool comes_before(const struct routes *routes, enum metric metric, uint64_t a, uint64_t b)
-{
-    if (metric != METRIC_WEIGHTED || b == ROUTES_UNKNOWN) {
-        return a < b;
-    }
-    uint64_t key_a = key_of(routes, metric, a), key_b = key_of(routes, metric, b);
-    return key_a < key_b || (key_a == key_b && a < b);
-}
-
-/* The edge from a node of a lattice in direction d, followed away from the seeds; `counted` in sums. 0: a wall. */
-static inline uint32_t step_cost(const struct lattice *lattice, int32_t node, int d, uint32_t *counted)
-{
-    uint32_t there = lattice->weight[node + lattice->step[d]];
-    if (there == 0) {
-        return 0;
-    }
-    uint32_t edge = (lattice->weight[node] + there) * (uint32_t)lattice->lean[d] / LATTICE_LEAN;
-    edge = edge < LATTICE_EDGE_MAX ? edge : LATTICE_EDGE_MAX;
-    bool diagonal = d == 0 || d == 2 || d == 5 || d == 7;
-    *counted = edge * (diagonal ? ROUTES_DIAGONAL : ROUTES_AXIS);
-    return edge;
-}
-
-/* A better way to `there`, from its neighbour `via`. Returns whether its label changes. */
-static inline bool take(struct routes *routes, enum metric metric, uint64_t label, int32_t via, int32_t there)
-{
-    if (label == routes->label[there]) {
-        routes->toward[there] = via < routes->toward[there] ? via : routes->toward[there];
-        return false;
-    }
-    if (!comes_before(routes, metric, label, routes->label[there])) {
-        return false;
-    }
-    routes->label[there] = label;
-    routes->toward[there] = via;
-    route_queue_push(&routes->queue, key_of(routes, metric, label), there);
-    return true;
-}
-
-static inline void expand(struct routes *routes, enum metric metric, int32_t node)
+ALWAYS void expand(struct routes *routes, enum metric metric, int32_t node)
 {
     const struct lattice *lattice = routes->lattice;
     uint64_t label = routes->label[node];
     if (!lattice->weight) {
         for (int32_t i = lattice->first[node]; i < lattice->first[node + 1]; i++) {
             uint32_t edge = lattice->cost[i];
-            take(routes, metric, routes_extend(metric, label, edge, edge * ROUTES_AXIS), node, lattice->to[i]);
+            routes_offer(routes, metric, routes_extend(metric, label, edge, edge * ROUTES_AXIS), node, lattice->to[i]);
         }
         return;
     }
     for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
-        uint32_t counted, edge = step_cost(lattice, node, d, &counted);
+        uint32_t counted, edge = routes_step(lattice, node, d, &counted);
         if (edge > 0) {
-            take(routes, metric, routes_extend(metric, label, edge, counted), node, node + lattice->step[d]);
+            routes_offer(routes, metric, routes_extend(metric, label, edge, counted), node, node + lattice->step[d]);
         }
     }
 }
@@ -158,7 +109,12 @@ static bool has_long_steps(const struct routes *routes)
     return 2 * least * (uint32_t)lean / LATTICE_LEAN * ROUTES_AXIS >= 1u << ROUTE_FINE_BITS;
 }
 
-static inline void settle_all(struct routes *routes, enum metric metric)
+void routes_start_queue(struct routes *routes)
+{
+    route_queue_start(&routes->queue, queue_shift(routes), has_long_steps(routes));
+}
+
+ALWAYS void settle_all(struct routes *routes, enum metric metric)
 {
     const uint64_t *labels = metric == METRIC_WEIGHTED ? NULL : routes->label;
     uint64_t key;
@@ -171,7 +127,7 @@ static inline void settle_all(struct routes *routes, enum metric metric)
                 __builtin_prefetch(&routes->lattice->weight[soon + row * routes->lattice->stride]);
             }
         }
-        if (key == key_of(routes, metric, routes->label[node])) {
+        if (key == routes_key(routes, metric, routes->label[node])) {
             expand(routes, metric, node);
         }
     }
@@ -195,7 +151,7 @@ static bool keep_seeds(struct routes *routes, const int32_t *seeds, int32_t coun
     return true;
 }
 
-static void forget(struct routes *routes)
+void routes_forget(struct routes *routes)
 {
     for (int32_t i = 0; i < routes->lattice->nodes; i++) {
         routes->label[i] = ROUTES_UNKNOWN;
@@ -205,7 +161,7 @@ static void forget(struct routes *routes)
 
 bool routes_plan(struct routes *routes, enum metric metric, int emphasis, const int32_t *seeds, int32_t count)
 {
-    forget(routes);
+    routes_forget(routes);
     if (!keep_seeds(routes, seeds, count)) {
         routes->seed_count = 0;
         return false;
@@ -219,7 +175,7 @@ bool routes_plan(struct routes *routes, enum metric metric, int emphasis, const 
     if (metric == METRIC_FULL) {
         return routes_span(routes);
     }
-    route_queue_start(&routes->queue, queue_shift(routes), has_long_steps(routes));
+    routes_start_queue(routes);
     for (int32_t i = 0; i < count; i++) {
         route_queue_push(&routes->queue, 0, seeds[i]);
     }
@@ -231,7 +187,7 @@ bool routes_plan(struct routes *routes, enum metric metric, int emphasis, const 
         settle_all(routes, METRIC_WEIGHTED);
     }
     if (routes->queue.failed) {
-        forget(routes);
+        routes_forget(routes);
     }
     return !routes->queue.failed;
 }
@@ -240,7 +196,7 @@ bool routes_add(struct routes *routes, int32_t seed)
 {
     int32_t count = routes->seed_count, *seeds = malloc(((size_t)count + 1) * sizeof *seeds);
     if (!seeds) {
-        forget(routes);
+        routes_forget(routes);
         return false;
     }
     memcpy(seeds, routes->seeds, (size_t)count * sizeof *seeds);
@@ -252,136 +208,13 @@ bool routes_add(struct routes *routes, int32_t seed)
     if (good && routes->metric == METRIC_CUMULATIVE) {
         routes->label[seed] = 0;
         routes->toward[seed] = ROUTES_SEED;
-        route_queue_start(&routes->queue, queue_shift(routes), has_long_steps(routes));
+        routes_start_queue(routes);
         route_queue_push(&routes->queue, 0, seed);
         settle_all(routes, METRIC_CUMULATIVE);
         good = !routes->queue.failed;
     }
     if (!good) {
-        forget(routes);
+        routes_forget(routes);
     }
     return good;
-}
-
-/* Forgets the ways of `node` and of all that lead through it; returns how many, on the stack from `base`. */
-static int32_t forget_beyond(struct routes *routes, int32_t node, int32_t base)
-{
-    const int32_t *step = routes->lattice->step;
-    int32_t count = base;
-    routes->label[node] = ROUTES_UNKNOWN;
-    routes->toward[node] = ROUTES_NONE;
-    routes->stack[count++] = node;
-    for (int32_t i = base; i < count; i++) {
-        for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
-            int32_t next = routes->stack[i] + step[d];
-            if (routes->lattice->weight[next] > 0 && routes->toward[next] == routes->stack[i]) {
-                routes->label[next] = ROUTES_UNKNOWN;
-                routes->toward[next] = ROUTES_NONE;
-                routes->stack[count++] = next;
-            }
-        }
-    }
-    return count - base;
-}
-
-/* The best way to a forgotten node from those neighbours that have one. */
-static void find_again(struct routes *routes, int32_t node)
-{
-    const struct lattice *lattice = routes->lattice;
-    uint64_t best = ROUTES_UNKNOWN;
-    int32_t from = ROUTES_NONE;
-    for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
-        int32_t there = node + lattice->step[d];
-        uint64_t label = lattice->weight[there] > 0 ? routes->label[there] : ROUTES_UNKNOWN;
-        uint32_t counted, edge = label != ROUTES_UNKNOWN ? step_cost(lattice, there, 7 - d, &counted) : 0;
-        if (edge > 0) {
-            label = routes_extend(routes->metric, label, edge, counted);
-            if (comes_before(routes, routes->metric, label, best) || (label == best && there < from)) {
-                best = label;
-                from = there;
-            }
-        }
-    }
-    if (best != ROUTES_UNKNOWN) {
-        take(routes, routes->metric, best, from, node);
-    }
-}
-
-/* As expand, where ways beyond are known already: what led through a node whose label changes is looked for again,
- * since a better way to the node is not always a better way through it. */
-static void expand_again(struct routes *routes, int32_t node)
-{
-    const struct lattice *lattice = routes->lattice;
-    for (int d = 0; d < LATTICE_NEIGHBOURS; d++) {
-        int32_t next = node + lattice->step[d];
-        uint32_t counted, edge = step_cost(lattice, node, d, &counted);
-        if (edge == 0) {
-            continue;
-        }
-        uint64_t label = routes_extend(routes->metric, routes->label[node], edge, counted);
-        if (label == routes->label[next] || !comes_before(routes, routes->metric, label, routes->label[next])) {
-            take(routes, routes->metric, label, node, next);
-            continue;
-        }
-        int32_t gone = routes->label[next] != ROUTES_UNKNOWN ? forget_beyond(routes, next, 0) : 0;
-        take(routes, routes->metric, label, node, next);
-        for (int32_t i = 1; i < gone; i++) {
-            find_again(routes, routes->stack[i]);
-        }
-    }
-}
-
-static bool is_within(const struct lattice *lattice, struct rectangle rectangle, int32_t node)
-{
-    int x = lattice_x(lattice, node), y = lattice_y(lattice, node);
-    return x >= rectangle.x0 && x < rectangle.x1 && y >= rectangle.y0 && y < rectangle.y1;
-}
-
-bool routes_replan(struct routes *routes, struct rectangle changed)
-{
-    const struct lattice *lattice = routes->lattice;
-    if (routes->metric == METRIC_FULL || !lattice->weight) {
-        return routes_plan(routes, routes->metric, routes->emphasis, routes->seeds, routes->seed_count);
-    }
-    changed = rectangle_clip(changed, lattice->width, lattice->height);
-    struct rectangle around = {changed.x0 - 1, changed.x1 + 1, changed.y0 - 1, changed.y1 + 1};
-    around = rectangle_clip(around, lattice->width, lattice->height);
-    int32_t gone = 0;
-    for (int y = changed.y0; y < changed.y1; y++) { /* walls that are none any more */
-        for (int x = changed.x0; x < changed.x1; x++) {
-            int32_t node = lattice_node(lattice, x, y);
-            if (routes->toward[node] == ROUTES_NONE && lattice->weight[node] > 0) {
-                routes->stack[gone++] = node;
-            }
-        }
-    }
-    route_queue_start(&routes->queue, queue_shift(routes), false);
-    for (int y = around.y0; y < around.y1; y++) {
-        for (int x = around.x0; x < around.x1; x++) {
-            int32_t node = lattice_node(lattice, x, y), toward = routes->toward[node];
-            bool within = is_within(lattice, changed, node);
-            if (toward >= 0 && (within || is_within(lattice, changed, toward))) {
-                gone += forget_beyond(routes, node, gone);
-            } else if (toward == ROUTES_SEED && within) {
-                route_queue_push(&routes->queue, 0, node);
-            }
-        }
-    }
-    if (gone > lattice->nodes / REPLAN_PART) { /* planning anew is cheaper */
-        return routes_plan(routes, routes->metric, routes->emphasis, routes->seeds, routes->seed_count);
-    }
-    for (int32_t i = 0; i < gone; i++) {
-        find_again(routes, routes->stack[i]);
-    }
-    uint64_t key;
-    int32_t node;
-    while (route_queue_pop(&routes->queue, NULL, &key, &node)) {
-        if (routes->label[node] != ROUTES_UNKNOWN && key == key_of(routes, routes->metric, routes->label[node])) {
-            expand_again(routes, node);
-        }
-    }
-    if (routes->queue.failed) {
-        forget(routes);
-    }
-    return !routes->queue.failed;
 }

@@ -25,7 +25,10 @@ for command in run render replay check explain devices grow bolt; do
     expect 0 "$command" --help
     quiet
     head -n 1 out.txt | grep -q "^usage: frond $command" || fail "$last: no usage"
+    ! grep '{[a-z]*}' out.txt || fail "$last: names an option that there is none of"
 done
+expect 0 replay --help
+grep -q ' a print: 1 to 16 pixels a cell ' out.txt || fail "$last: does not say what --scale allows"
 expect 0 --help
 quiet
 expect 0 --version

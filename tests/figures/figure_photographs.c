@@ -304,7 +304,7 @@ void figure_hidden(struct figure *figure)
     struct growth_def def = growth_preset(METAPHOR_INK, true);
     sitter_show_plane(face, face->grey);
     sheet_add(sheet, face->bytes, "the photograph");
-    def.side = SIDE_ALL;
+    def.side = GROWTH_SIDE_ALL;
     def.layers = 1;
     def.iterations = 2;
     show_tree(figure, sheet, face, &def, "figure 12: two iterations", NULL);
@@ -313,7 +313,7 @@ void figure_hidden(struct figure *figure)
     def.layers = 2;
     show_tree(figure, sheet, face, &def, "figure 13: two layers", NULL);
     def = growth_preset(METAPHOR_INK, true);
-    def.side = SIDE_NONE; /* all of the crown is her face; the paper leaves the left half free */
+    def.side = GROWTH_SIDE_NONE; /* all of the crown is her face; the paper leaves the left half free */
     def.radius = 0.4f;
     def.spacing = 10;
     def.primary = 3;

@@ -104,7 +104,7 @@ void figure_trees(struct figure *figure)
     struct sitter *sitter = sitter_draw(MOTIF_PORTRAIT);
     struct sheet *sheet = sheet_create(figure, "Trees: figures 12, 13, 15, 16 and 17", 4, 2, SHOWN);
     struct growth_def def = growth_preset(METAPHOR_INK, true);
-    def.side = SIDE_ALL;
+    def.side = GROWTH_SIDE_ALL;
     def.layers = 1;
     def.iterations = 2;
     add_tree(figure, sheet, sitter, &def, "figure 12: two iterations", false);
@@ -113,7 +113,7 @@ void figure_trees(struct figure *figure)
     def.layers = 2;
     add_tree(figure, sheet, sitter, &def, "figure 13: two layers", false);
     def = growth_preset(METAPHOR_WINTER, true);
-    def.side = SIDE_ALL;
+    def.side = GROWTH_SIDE_ALL;
     add_tree(figure, sheet, sitter, &def, "winter", false);
     def = growth_preset(METAPHOR_INK, true);
     def.mix = 0.9f;

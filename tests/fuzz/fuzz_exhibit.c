@@ -20,14 +20,13 @@ const char *__lsan_default_suppressions(void)
 }
 
 /* Every picture is there, and four pixels large. */
-static bool load(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
-                 size_t size)
+static bool load(void *data, const char *folder, const char *path, struct script_picture *picture,
+                 struct file_error *error)
 {
     static const float VALUES[4] = {0, 1, 0.5f, 0.25f};
     (void)data;
     (void)folder;
     (void)error;
-    (void)size;
     assert(path && *path);
     *picture = (struct script_picture){2, 2, 1, malloc(sizeof VALUES)};
     assert(picture->values);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 
 #include "kiosk_state.h"
 #include "soak_chatter.h"
@@ -197,6 +198,7 @@ int main(int count, char **arguments)
         return 2;
     }
     setvbuf(stdout, NULL, _IOLBF, 0);
+    prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0); /* the kernel's huge pages fill up a heap's holes: no growth of ours */
     bool good = run(&soak, &order);
     soak_close(&soak);
     soak_say("%s", good ? "the soak is passed" : "the soak has failed");

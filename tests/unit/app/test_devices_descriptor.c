@@ -14,22 +14,8 @@
 #include <json.h>
 
 #include "devices_descriptor.h"
+#include "folder_case.h"
 #include "hid_samples.h"
-
-static int enter_folder(void **state)
-{
-    (void)state;
-    char folder[] = "/tmp/frond-descriptor-XXXXXX";
-    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
-}
-
-static int leave_folder(void **state)
-{
-    (void)state;
-    char folder[256];
-    remove("d");
-    return getcwd(folder, sizeof folder) && rmdir(folder) == 0 ? 0 : -1;
-}
 
 static void write_file(const void *bytes, size_t size)
 {
@@ -197,10 +183,10 @@ static void test_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_json, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_text, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_numbers, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(test_refused, enter_folder, leave_folder),
+        IN_FOLDER(test_json),
+        IN_FOLDER(test_text),
+        IN_FOLDER(test_numbers),
+        IN_FOLDER(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,6 +16,7 @@
 #include "disk_case.h"
 #include "folder_case.h"
 #include "gallery.h"
+#include "patience.h"
 
 enum { WIDTH = 40, HEIGHT = 30, LIST = 32 };
 
@@ -45,7 +46,7 @@ static struct gallery *open_gallery(const char *folder, int pictures, int64_t by
 static void settle(struct gallery *gallery)
 {
     for (int i = 0; gallery_busy(gallery); i++) {
-        assert_true(i < 5000);
+        assert_true(i < PATIENCE_MS / 2);
         usleep(2000);
     }
 }
@@ -316,6 +317,9 @@ static void only_so_many_wait(void **state)
         taken += gallery_keep(gallery, &picture);
     }
     assert_in_range(taken, GALLERY_WAITING, GALLERY_WAITING + 2);
+    char line[GALLERY_LINE];
+    assert_true(gallery_log(gallery, line));
+    assert_string_equal(line, "gallery: 2 pictures wait to be written; one more is not kept");
     gallery_destroy(gallery); /* what was taken is written */
     gallery = open_gallery("g", 20, 1 << 20);
     settle(gallery);

@@ -17,26 +17,11 @@
 #include <zlib.h>
 
 #include "fit.h"
+#include "folder_case.h"
 
 #define SAMPLES IMAGE_SAMPLES "/"
 
-static char folder[] = "/tmp/frond-kinds-XXXXXX", file[64];
-
-static int enter_folder(void **state)
-{
-    (void)state;
-    if (!mkdtemp(folder)) {
-        return -1;
-    }
-    snprintf(file, sizeof file, "%s/it", folder);
-    return 0;
-}
-
-static int leave_folder(void **state)
-{
-    (void)state;
-    return remove(file) == 0 && rmdir(folder) == 0 ? 0 : -1;
-}
+static const char file[] = "it";
 
 static float linear(double v)
 {
@@ -284,5 +269,5 @@ int main(void)
         cmocka_unit_test(shrinks_by_whole_blocks_of_linear_light),
         cmocka_unit_test(takes_a_hundred_megapixels),
     };
-    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+    return cmocka_run_group_tests(tests, folder_case_enter, folder_case_leave);
 }

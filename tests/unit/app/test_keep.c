@@ -20,13 +20,12 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "journal_file.h"
 #include "keep_case.h"
 #include "keep_files.h"
 #include "patience.h"
 #include "player.h"
-
-enum { PATIENCE_MS = 8000 * SLOWER };
 
 static int take_table(void **state)
 {
@@ -38,36 +37,6 @@ static int free_table(void **state)
 {
     free(*state);
     return 0;
-}
-
-static int enter_folder(void **state)
-{
-    (void)state;
-    char folder[] = "/tmp/frond-keep-XXXXXX";
-    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
-}
-
-static void empty(const char *path)
-{
-    DIR *all = opendir(path);
-    struct dirent *entry;
-    char name[600];
-    while (all && (entry = readdir(all))) {
-        snprintf(name, sizeof name, "%s/%s", path, entry->d_name);
-        unlink(name);
-    }
-    if (all) {
-        closedir(all);
-    }
-    rmdir(path);
-}
-
-static int leave_folder(void **state)
-{
-    (void)state;
-    char folder[256];
-    empty("state");
-    return getcwd(folder, sizeof folder) && chdir("/") == 0 && rmdir(folder) == 0 ? 0 : -1;
 }
 
 static void nap(int ms)
@@ -91,17 +60,25 @@ static struct keep_def quick_def(void)
     return def;
 }
 
-/* Paints until so many ticks, and waits until all of it is on the disk. */
+static void until_kept(struct keep_case *one, int64_t ticked)
+{
+    for (int waited = 0; keep_report(one->keep).kept_ticked < ticked && waited < PATIENCE_MS; waited += 5) {
+        nap(5);
+    }
+    assert_true(keep_report(one->keep).kept_ticked >= ticked);
+}
+
+/* Paints until so many ticks, at a pace that the disk can keep up with, and waits until all of it is there. */
 static void paint_until(struct keep_case *one, int64_t ticked)
 {
     while (one->ticked < ticked) {
         keep_case_tick(one);
         nap(1);
+        if (one->ticked % 25 == 0) {
+            until_kept(one, one->ticked - 25);
+        }
     }
-    for (int waited = 0; keep_report(one->keep).kept_ticked < ticked && waited < PATIENCE_MS; waited += 5) {
-        nap(5);
-    }
-    assert_true(keep_report(one->keep).kept_ticked >= ticked);
+    until_kept(one, ticked);
 }
 
 /* As many ticks as are kept; leaves the files, as a crash would. */
@@ -142,17 +119,36 @@ static int count_files(void)
     return all ? count - 2 : 0;
 }
 
+/* Who has no time to repeat has lost what the journal holds, but for a tick, and is told so. */
+static void repeating_ends_in_time(void **state)
+{
+    struct keep_report report;
+    struct keep_found found;
+    leave_painting(60, &report);
+    struct keep_files files = keep_files_list("state");
+    for (int i = 0; i < files.count; i++) { /* the journal alone */
+        char path[KEEP_PATH];
+        assert_true(keep_files_path("state", &files.files[i], path));
+        assert_true(files.files[i].journal || unlink(path) == 0);
+    }
+    assert_true(keep_find("state", 0, &found));
+    assert_int_equal(found.ticked, 1);
+    assert_int_equal(found.lost, 59);
+    assert_is_painting(&found, *state);
+    keep_found_finish(&found);
+}
+
 static void it_comes_back_as_it_was(void **state)
 {
     struct keep_report report;
     struct keep_found found;
-    assert_false(keep_find("state", &found));
+    assert_false(keep_find("state", PATIENCE_S, &found));
     assert_string_equal(found.line, "");
     leave_painting(260, &report);
     assert_int_equal(report.state, KEEP_GOOD);
     assert_true(report.checkpoints >= 2 && report.bytes > report.checkpoint_bytes);
     assert_in_range(count_files(), 2, 3); /* a journal, two checkpoints */
-    assert_true(keep_find("state", &found));
+    assert_true(keep_find("state", PATIENCE_S, &found));
     assert_int_equal(found.ticked, 260);
     assert_int_equal(found.lost, 0);
     assert_int_equal(found.exhibit_hash, 77);
@@ -172,7 +168,7 @@ static void its_journal_goes_on_over_crashes(void **state)
         struct keep_def def = quick_def();
         struct keep_case one;
         struct keep_found found;
-        assert_true(keep_find("state", &found));
+        assert_true(keep_find("state", PATIENCE_S, &found));
         struct keep *keep = keep_create(&def, &found);
         keep_visit(keep, true);
         assert_true(keep_case_open(&one, keep, &found));
@@ -240,7 +236,7 @@ static void nothing_is_written_while_nothing_happens(void **state)
     assert_true(keep_case_open(&one, keep, NULL));
     struct studio_event tick = {.kind = STUDIO_TICKED, .script = one.script, .engine = one.engine, .busy_s = 1e-3};
     int64_t bytes = -1;
-    for (int i = 0; i < 1500 * SLOWER && keep_report(keep).spared == 0; i++) {
+    for (int i = 0; i < PATIENCE_MS && keep_report(keep).spared == 0; i++) {
         one.engine->ops->tick(one.engine);
         tick.ticked = ++one.ticked;
         keep_tell(keep, &tick);
@@ -272,7 +268,7 @@ static void a_fresh_sheet_leaves_nothing_of_the_old(void **state)
     nap(100);
     keep_destroy(keep);
     assert_int_equal(count_files(), 1);
-    assert_true(keep_find("state", &found));
+    assert_true(keep_find("state", PATIENCE_S, &found));
     assert_int_equal(found.ticked, 0);
     assert_is_painting(&found, *state);
     keep_found_finish(&found);
@@ -303,7 +299,7 @@ static void damage(void **state, const struct keep_file *file, size_t step, int 
     for (size_t at = 0; at < whole.size; at += step) {
         for (int flips = 0; flips < 2; flips++) {
             change(path, &whole, flips ? whole.size : at, flips ? (int64_t)at : -1);
-            bool good = keep_find("state", &found);
+            bool good = keep_find("state", PATIENCE_S, &found);
             assert_true(good || found.line[0]);
             *back += good;
             *none += !good;
@@ -405,15 +401,17 @@ static void a_disk_that_does_not_write_is_a_state(void **state)
         int64_t kept = one.ticked;
         failed = 0;
         failing = cases[i].code;
-        for (int tick = 0; tick < 150; tick++) { /* several tries */
-            keep_case_tick(&one);
+        for (int ms = 0; ms < PATIENCE_MS && (failed < 3 || keep_report(keep).state != cases[i].state); ms++) {
+            if (ms < 150) { /* several tries */
+                keep_case_tick(&one);
+            }
             nap(1);
         }
         assert_true(failed >= 3);
         assert_int_equal(keep_report(keep).state, cases[i].state);
         assert_line(keep, cases[i].line);
         assert_false(keep_log(keep, line, sizeof line));
-        assert_true(keep_find("state", &found));
+        assert_true(keep_find("state", PATIENCE_S, &found));
         assert_true(found.ticked >= kept);
         assert_is_painting(&found, *state);
         keep_found_finish(&found);
@@ -423,7 +421,7 @@ static void a_disk_that_does_not_write_is_a_state(void **state)
         assert_int_equal(keep_report(keep).state, KEEP_GOOD);
     }
     keep_destroy(keep);
-    assert_true(keep_find("state", &found));
+    assert_true(keep_find("state", PATIENCE_S, &found));
     assert_int_equal(found.ticked, one.ticked);
     assert_is_painting(&found, *state);
     keep_found_finish(&found);
@@ -450,6 +448,17 @@ static bool enter_namespace(void)
     return good && mount(NULL, "/", NULL, MS_REC | MS_PRIVATE, NULL) == 0;
 }
 
+/* Paints for a while, and goes on looking. */
+static void wait_while(struct keep_case *one, enum keep_state state)
+{
+    for (int ms = 0; ms < PATIENCE_MS && keep_report(one->keep).state == state; ms++) {
+        if (one->ticked < KEEP_CASE_TICKS - 1) {
+            keep_case_tick(one);
+        }
+        nap(1);
+    }
+}
+
 /* On a real disk of one megabyte, which is then made read-only: 0 all is as it should be, 77 nothing can be mounted. */
 static int paint_on_small_disk(const struct keep_case_table *table)
 {
@@ -462,25 +471,20 @@ static int paint_on_small_disk(const struct keep_case_table *table)
     struct keep *keep = keep_create(&def, NULL);
     keep_visit(keep, true);
     bool good = keep_case_open(&one, keep, NULL);
-    for (int i = 0; i < 600 && keep_report(keep).state == KEEP_GOOD; i++) {
-        keep_case_tick(&one);
-        nap(1);
-    }
+    wait_while(&one, KEEP_GOOD);
     good = good && keep_report(keep).state == KEEP_FULL;
     good = good && mount("frond", "state", "tmpfs", MS_REMOUNT | MS_RDONLY, "size=1m") == 0;
-    for (int i = 0; i < 600 && keep_report(keep).state == KEEP_FULL; i++) {
-        keep_case_tick(&one);
-        nap(1);
-    }
+    wait_while(&one, KEEP_FULL);
     good = good && keep_report(keep).state == KEEP_READ_ONLY;
     good = good && mount("frond", "state", "tmpfs", MS_REMOUNT, "size=64m") == 0;
-    for (int i = 0; i < 600 && keep_report(keep).state != KEEP_GOOD; i++) {
+    for (int i = 0; i < PATIENCE_MS / 5 && keep_report(keep).state != KEEP_GOOD; i++) {
         nap(5);
     }
     good = good && keep_report(keep).state == KEEP_GOOD;
     keep_destroy(keep);
     keep_case_close(&one);
-    good = good && keep_find("state", &found) && keep_case_open(&one, NULL, &found) && keep_case_is_right(&one, table);
+    good = good && keep_find("state", PATIENCE_S, &found) && keep_case_open(&one, NULL, &found) &&
+           keep_case_is_right(&one, table);
     return good ? 0 : 1;
 }
 
@@ -513,26 +517,25 @@ static void a_long_journal_is_given_up(void **state)
     struct keep *keep = keep_create(&def, NULL);
     keep_visit(keep, true);
     assert_true(keep_case_open(&one, keep, NULL));
-    for (int i = 0; i < 600; i++) {
+    while (one.ticked < 600 || (keep_report(keep).kept_ticked <= 400 && one.ticked < KEEP_CASE_TICKS - 1)) {
         keep_case_tick(&one);
-        nap(1);
+        nap(one.ticked < 600 ? 1 : 50);
     }
     assert_line(keep, "too long");
     assert_false(keep_journal(keep, &journal));
     keep_destroy(keep);
-    assert_true(keep_find("state", &found));
+    assert_true(keep_find("state", PATIENCE_S, &found));
     assert_true(found.ticked > 400);
     assert_is_painting(&found, *state);
     keep_found_finish(&found);
     keep_case_close(&one);
 }
 
-#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         IN_FOLDER(it_comes_back_as_it_was),
+        IN_FOLDER(repeating_ends_in_time),
         IN_FOLDER(its_journal_goes_on_over_crashes),
         IN_FOLDER(nothing_is_written_when_nobody_paints),
         IN_FOLDER(nothing_is_written_while_nothing_happens),

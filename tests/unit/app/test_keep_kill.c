@@ -6,9 +6,7 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <dirent.h>
 #include <signal.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -16,7 +14,9 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "keep_case.h"
+#include "patience.h"
 #include "player.h"
 
 enum {
@@ -26,7 +26,6 @@ enum {
     JOURNAL_EVERY = 5, /* kills from one whole play of the journal to the next */
     LEAST_MS = 5,
     MOST_MS = 160,
-    START_MS = 5000,
 };
 
 /* What the one who is killed has painted. */
@@ -49,10 +48,11 @@ static void nap(int ms)
     nanosleep(&time, NULL);
 }
 
-static double now_s(void)
+/* Of all threads: what others do on the machine does not count. */
+static double processor_s(void)
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
@@ -75,7 +75,7 @@ static void paint_for_ever(struct place *place)
     struct keep_def def = quick_def();
     struct keep_found found;
     struct keep_case one;
-    bool good = keep_find("state", &found);
+    bool good = keep_find("state", PATIENCE_S, &found);
     struct keep *keep = keep_create(&def, good ? &found : NULL);
     if (!keep) {
         _exit(3);
@@ -126,13 +126,13 @@ static int64_t check(const struct place *place, bool journal, double *took_s)
 {
     struct keep_found found;
     struct keep_case one;
-    double began = now_s();
+    double began = processor_s();
     int64_t painted = place->shared->ticks;
-    if (!keep_find("state", &found)) {
+    if (!keep_find("state", PATIENCE_S, &found)) {
         assert_true(place->shared->generation <= 1 && painted <= AGE_MOST);
         return -1;
     }
-    *took_s = now_s() - began;
+    *took_s = processor_s() - began;
     assert_true(keep_case_open(&one, NULL, &found));
     assert_true(keep_case_is_right(&one, &place->table));
     if (journal) {
@@ -159,7 +159,7 @@ static void the_painting_survives_every_kill(void **state)
         if (child == 0) {
             paint_for_ever(place);
         }
-        for (int waited = 0; kill_number % 4 > 0 && !place->shared->begun && waited < START_MS; waited++) {
+        for (int waited = 0; kill_number % 4 > 0 && !place->shared->begun && waited < PATIENCE_MS; waited++) {
             nap(1); /* one in four is killed while it begins */
         }
         place->dice = place->dice * 1664525u + 1013904223u;
@@ -175,38 +175,21 @@ static void the_painting_survives_every_kill(void **state)
         oldest = age > oldest ? age : oldest;
         longest_s = took_s > longest_s ? took_s : longest_s;
     }
-    print_message("%d kills, %d sheets: %d times back, %.0f ticks old, %lld at most; found within %.0f ms\n",
-                  place->kills, (int)place->shared->generation, back, back ? (double)sum / back : 0, (long long)oldest,
-                  1e3 * longest_s);
+    print_message(
+        "%d kills, %d sheets: %d times back, %.0f ticks old, %lld at most; found within %.0f ms of a processor\n",
+        place->kills, (int)place->shared->generation, back, back ? (double)sum / back : 0, (long long)oldest,
+        1e3 * longest_s);
     assert_true(back >= place->kills * 3 / 4);
-    assert_true(longest_s < 3);
+    assert_true(longest_s < 3 * SLOWER);
 }
 
 static int set_up(void **state)
 {
-    char folder[] = "/tmp/frond-kill-XXXXXX";
     struct place *place = *state;
     place->shared = mmap(NULL, sizeof *place->shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     place->dice = (uint32_t)getpid();
-    return place->shared != MAP_FAILED && keep_case_paint(&place->table) && mkdtemp(folder) && chdir(folder) == 0 ? 0
-                                                                                                                  : -1;
-}
-
-static int tear_down(void **state)
-{
-    char folder[256], name[600];
-    DIR *all = opendir("state");
-    struct dirent *entry;
-    (void)state;
-    while (all && (entry = readdir(all))) {
-        snprintf(name, sizeof name, "state/%s", entry->d_name);
-        unlink(name);
-    }
-    if (all) {
-        closedir(all);
-    }
-    rmdir("state");
-    return getcwd(folder, sizeof folder) && chdir("/") == 0 && rmdir(folder) == 0 ? 0 : -1;
+    bool good = place->shared != MAP_FAILED && keep_case_paint(&place->table);
+    return good ? folder_case_enter(state) : -1;
 }
 
 int main(int argc, char *argv[])
@@ -214,7 +197,7 @@ int main(int argc, char *argv[])
     static struct place place;
     place.kills = argc > 1 ? atoi(argv[1]) : KILLS;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate_setup_teardown(the_painting_survives_every_kill, set_up, tear_down, &place),
+        cmocka_unit_test_prestate_setup_teardown(the_painting_survives_every_kill, set_up, folder_case_leave, &place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,12 +7,11 @@
 
 #include <cmocka.h>
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "kiosk_case.h"
 #include "kiosk_state.h"
 
@@ -318,18 +317,8 @@ static void a_point_that_rests_plants(void **state)
 /* The exhibits lie in the current folder: a picture in `stock`, which nobody opens. */
 static int make_folder(void **state)
 {
-    static char folder[] = "/tmp/frond-trees-XXXXXX";
-    *state = mkdtemp(folder);
-    if (!*state || chdir(folder) != 0 || mkdir("stock", 0755) != 0) {
-        return -1;
-    }
-    FILE *file = fopen("stock/a.png", "w");
-    return file ? fclose(file) : -1;
-}
-
-static int remove_folder(void **state)
-{
-    return remove("stock/a.png") || rmdir("stock") || chdir("/") || rmdir(*state);
+    bool good = folder_case_enter(state) == 0 && mkdir("stock", 0755) == 0 && folder_case_put("stock/a.png", "");
+    return good ? 0 : -1;
 }
 
 int main(void)
@@ -346,5 +335,5 @@ int main(void)
         cmocka_unit_test(an_edit_shapes_what_grows_and_another_kind_is_another_sheet),
         cmocka_unit_test(a_point_that_rests_plants),
     };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+    return cmocka_run_group_tests(tests, make_folder, folder_case_leave);
 }

@@ -11,8 +11,9 @@
 #include <time.h>
 
 #include "live_graph.h"
+#include "patience.h"
 
-enum { WAIT_MS = 20000, WIDE = 160, HIGH = 100 };
+enum { WIDE = 160, HIGH = 100 };
 
 static const char TEXT[] = "exhibit: 1\nsheet: {cells: 16384}\nscenes:\n"
                            "  - {id: drops, inks: [black], opening: [{drop: {at: [0.5, 0.5], ink: black}}]}\n"
@@ -38,7 +39,7 @@ static void wait_until_ready(struct live_graph *graph, int scene)
     const struct timespec moment = {.tv_nsec = 1000000};
     int count, waited = 0;
     while (!live_graph_actions(graph, scene, NULL, &count)) {
-        assert_true(waited++ < WAIT_MS);
+        assert_true(waited++ < PATIENCE_MS);
         nanosleep(&moment, NULL);
     }
 }

@@ -14,10 +14,11 @@
 
 #include "live_graph.h"
 #include "live_scene.h"
+#include "patience.h"
 #include "pictures.h"
 #include "script_sheet.h"
 
-enum { WIDTH = 320, HEIGHT = 200, WAIT_MS = 30000, HANDED = 7 };
+enum { WIDTH = 320, HEIGHT = 200, HANDED = 7 };
 
 struct place {
     struct exhibit *exhibit;
@@ -93,14 +94,14 @@ static void leave(struct place *place)
     struct outcome outcome;
     int number, waited = 0;
     while (!live_scene_is_calm(place->live)) { /* it has struck */
-        assert_true(waited++ < WAIT_MS);
+        assert_true(waited++ < PATIENCE_MS);
         nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
     }
     assert_false(live_scene_handed(place->live, &number, &outcome));
     assert_true(live_scene_hand(place->live, HANDED));
     tell(place, STUDIO_SCENE, 1, NULL);
     while (!live_scene_handed(place->live, &number, &outcome)) {
-        assert_true(waited++ < WAIT_MS);
+        assert_true(waited++ < PATIENCE_MS);
         nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
     }
     assert_int_equal(number, HANDED);

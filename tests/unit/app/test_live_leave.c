@@ -14,8 +14,9 @@
 
 #include "bench.h"
 #include "live_leave.h"
+#include "patience.h"
 
-enum { WIDTH = 320, HEIGHT = 200, BYTES = WIDTH * HEIGHT * 3, SEED = 3, PATIENCE_S = 30 };
+enum { WIDTH = 320, HEIGHT = 200, BYTES = WIDTH * HEIGHT * 3, SEED = 3 };
 
 static const uint8_t BELOW[3] = {30, 90, 160};
 

@@ -6,7 +6,6 @@
 
 #include <cmocka.h>
 
-#include <fcntl.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -14,16 +13,17 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
-#include <unistd.h>
 
+#include "folder_case.h"
 #include "live_pictures.h"
+#include "patience.h"
 
 enum { FILES = 4 };
 
 static const char *const NAMES[FILES] = {"a.png", "b.png", "broken.png", "c.png"};
 
 struct shelf {
-    char folder[64];
+    char folder[FOLDER_CASE_PATH];
     atomic_int loads;
     struct exhibit exhibit;
     struct exhibit_scene painting, trees, own;
@@ -31,8 +31,8 @@ struct shelf {
 };
 
 /* Grey as its letter, 0.1 for a; "wide" is larger than what is given. */
-static bool load(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
-                 size_t size)
+static bool load(void *data, const char *folder, const char *path, struct script_picture *picture,
+                 struct file_error *error)
 {
     struct shelf *shelf = data;
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
@@ -40,7 +40,7 @@ static bool load(void *data, const char *folder, const char *path, struct script
     (void)folder;
     atomic_fetch_add(&shelf->loads, 1);
     if (strcmp(name, "broken.png") == 0) {
-        snprintf(error, size, "'%s' is broken", path);
+        snprintf(error->text, sizeof error->text, "'%s' is broken", path);
         return false;
     }
     *picture = (struct script_picture){wide ? 3000 : 30, wide ? 1500 : 20, 1, NULL};
@@ -57,14 +57,12 @@ static struct shelf *open_shelf(bool folder, const struct exhibit_scene *scene)
     struct shelf *shelf = calloc(1, sizeof *shelf);
     char path[128];
     assert_non_null(shelf);
-    strcpy(shelf->folder, "/tmp/frond-shelf-XXXXXX");
-    assert_non_null(mkdtemp(shelf->folder));
+    assert_true(folder_case_make(shelf->folder));
     snprintf(path, sizeof path, "%s/in", shelf->folder);
     assert_int_equal(mkdir(path, 0700), 0);
     for (int i = 0; i < FILES; i++) {
         snprintf(path, sizeof path, "%s/in/%s", shelf->folder, NAMES[i]);
-        int fd = open(path, O_WRONLY | O_CREAT, 0600);
-        assert_true(fd >= 0 && close(fd) == 0);
+        assert_true(folder_case_put(path, ""));
     }
     shelf->exhibit.folder = shelf->folder;
     shelf->exhibit.pictures = folder ? "in" : NULL;
@@ -80,14 +78,8 @@ static struct shelf *open_shelf(bool folder, const struct exhibit_scene *scene)
 
 static void close_shelf(struct shelf *shelf)
 {
-    char path[128];
     live_pictures_destroy(shelf->pictures);
-    for (int i = 0; i < FILES; i++) {
-        snprintf(path, sizeof path, "%s/in/%s", shelf->folder, NAMES[i]);
-        assert_int_equal(remove(path), 0);
-    }
-    snprintf(path, sizeof path, "%s/in", shelf->folder);
-    assert_int_equal(rmdir(path) || rmdir(shelf->folder), 0);
+    assert_true(folder_case_remove(shelf->folder));
     free(shelf);
 }
 
@@ -99,7 +91,7 @@ static void nap(void)
 /* Asks as often as a kiosk does; the brightness of what comes, -1 when nothing does. */
 static float ask(struct shelf *shelf, bool next, struct action *stock)
 {
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < PATIENCE_MS; i++) {
         if (live_pictures_stock(shelf->pictures, next, stock)) {
             assert_int_equal(stock->verb, ACTION_STOCK);
             assert_int_equal(stock->picture.channels, 1);
@@ -185,11 +177,11 @@ static void a_painting_grows_along_their_edges(void **state)
     struct shelf *shelf = open_shelf(true, &(struct exhibit_scene){.kind = SCENE_PAINTING});
     struct action guide;
     int i = 0;
-    while (i < 3000 && !live_pictures_next(shelf->pictures, &guide)) {
+    while (i < PATIENCE_MS && !live_pictures_next(shelf->pictures, &guide)) {
         nap();
         i++;
     }
-    assert_true(i < 3000 && guide.verb == ACTION_GUIDE && guide.picture.channels == 2);
+    assert_true(i < PATIENCE_MS && guide.verb == ACTION_GUIDE && guide.picture.channels == 2);
     close_shelf(shelf);
 }
 

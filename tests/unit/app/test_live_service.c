@@ -6,19 +6,23 @@
 
 #include <cmocka.h>
 
+#include <math.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "bench.h"
+#include "folder_case.h"
 #include "live_service.h"
+#include "patience.h"
 
-enum { PATIENCE_S = 30, WATCHDOG_US = 10000000 };
+enum { WATCHDOG_US = 10000000 };
 
 struct place {
     int manager;
@@ -28,7 +32,7 @@ struct place {
     struct script script;
     struct live_kiosk kiosk;
     struct live_service service;
-    atomic_bool hangs;
+    atomic_bool hangs, hung;
     uint64_t now_us; /* that the service is told */
 };
 
@@ -42,6 +46,7 @@ static void hang(void *data, const struct studio_event *event)
 {
     struct place *place = data;
     while (event->kind == STUDIO_TICKED && atomic_load(&place->hangs)) {
+        atomic_store(&place->hung, true);
         nap();
     }
 }
@@ -152,6 +157,10 @@ static void a_tick_that_hangs_starves_the_watchdog(void **state)
     wait_turns(place, 2);
     assert_int_equal(turn(place, 3), 1);
     atomic_store(&place->hangs, true);
+    for (double end_s = bench_wall_s() + PATIENCE_S; !atomic_load(&place->hung);) {
+        assert_true(bench_wall_s() < end_s);
+        nap();
+    }
     turn(place, 12);
     assert_int_equal(turn(place, 30), 0); /* frames go on, and nobody paints */
     atomic_store(&place->hangs, false);
@@ -178,11 +187,69 @@ static void a_studio_that_rests_does_not(void **state)
     close_place(place);
 }
 
+static void any_environment_will_do(void **state)
+{
+    (void)state;
+    struct place *place = open_place();
+    static const char *const FOLDERS[] = {"", "run/frond"};
+    for (int i = 0; i < 2; i++) {
+        live_service_close(&place->service);
+        setenv("RUNTIME_DIRECTORY", FOLDERS[i], 1);
+        assert_true(live_service_open(&place->service, 0)); /* without a status */
+        assert_null(place->service.writer);
+    }
+    close_place(place);
+}
+
+static void put_celsius(const char *root, int celsius)
+{
+    char path[160], text[16];
+    snprintf(path, sizeof path, "%s/sys/class/thermal/thermal_zone0/type", root);
+    assert_true(folder_case_put(path, "cpu-thermal\n"));
+    snprintf(path, sizeof path, "%s/sys/class/thermal/thermal_zone0/temp", root);
+    snprintf(text, sizeof text, "%d\n", 1000 * celsius);
+    assert_true(folder_case_put(path, text));
+}
+
+static void it_tells_the_heat_of_now_while_the_screen_is_dark(void **state)
+{
+    (void)state;
+    char root[FOLDER_CASE_PATH], path[160];
+    struct place *place = open_place();
+    struct inputs *inputs = inputs_default(&place->script);
+    struct live_input input = {.sources = sources_create(&(struct sources_def){.inputs = inputs})};
+    struct status status = {.unix_s = 0};
+    assert_true(folder_case_make(root));
+    static const char *const PARTS[] = {"/sys", "/class", "/thermal", "/thermal_zone0"};
+    snprintf(path, sizeof path, "%s", root);
+    for (int i = 0; i < 4; i++) {
+        strcat(path, PARTS[i]);
+        assert_int_equal(mkdir(path, 0777), 0);
+    }
+    put_celsius(root, 40);
+    struct live_care care = {.thermal = thermal_create(root)};
+    place->kiosk.status.input = &input;
+    place->kiosk.status.care = &care;
+    place->kiosk.status.kind = "cpu";
+    for (int i = 0; i < 2; i++) { /* and no frame meanwhile */
+        put_celsius(root, 40 + i);
+        live_service_status(&status, &place->kiosk, (uint64_t)(i + 1) * 5000000);
+        assert_int_equal(lround(status.celsius), 40 + i);
+    }
+    thermal_destroy(care.thermal);
+    sources_destroy(input.sources);
+    inputs_destroy(inputs);
+    assert_true(folder_case_remove(root));
+    close_place(place);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_tick_that_hangs_starves_the_watchdog),
         cmocka_unit_test(a_studio_that_rests_does_not),
+        cmocka_unit_test(any_environment_will_do),
+        cmocka_unit_test(it_tells_the_heat_of_now_while_the_screen_is_dark),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

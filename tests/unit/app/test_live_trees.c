@@ -23,7 +23,7 @@
 #include "pictures.h"
 #include "source_fake.h"
 
-enum { WIDTH = 320, HEIGHT = 200, PATIENCE_S = 60 * SLOWER, SEEDS = 2, DARK = 90, SOME = 150 /* pixels */ };
+enum { WIDTH = 320, HEIGHT = 200, SEEDS = 2, DARK = 90, SOME = 150 /* pixels */ };
 
 static const char EXHIBIT[] = "exhibit: 1\n"
                               "display: {width: 530}\n"
@@ -32,8 +32,6 @@ static const char EXHIBIT[] = "exhibit: 1\n"
                               "scenes:\n"
                               "  - {id: garden, kind: trees, trees: {over: leaf.png, endpoints: 300}}\n"
                               "visit: {idle: 600}\n";
-
-static const double KEPT_S = 3.5; /* after which what is done is on the disk: keep_def.flush_s, and slack */
 
 struct place {
     char folder[FOLDER_CASE_PATH], file[100], state[100];
@@ -111,9 +109,9 @@ static bool go_on(struct place *place, double seconds)
 {
     double end_s = bench_wall_s() + seconds;
     bool good = true;
-    while (good && bench_wall_s() < end_s) {
+    do {
         good = live_turn(&place->live);
-    }
+    } while (good && bench_wall_s() < end_s);
     return good;
 }
 
@@ -129,12 +127,30 @@ static bool settle(struct place *place)
     return calm;
 }
 
+/* Until what has been done is on the disk. */
+static bool until_kept(struct place *place)
+{
+    int64_t ticked = (int64_t)sheet_of(place).tick;
+    double end_s = bench_wall_s() + PATIENCE_S;
+    bool good = true;
+    while (good && keep_report(place->live.painting.keep).kept_ticked < ticked) {
+        good = bench_wall_s() < end_s && live_turn(&place->live);
+    }
+    return good;
+}
+
+/* A tap, and until something has come of it. */
 static bool touch(struct place *place, float x, float y)
 {
+    int plans = sheet_of(place).plans;
+    double end_s = bench_wall_s() + PATIENCE_S;
+    bool good = true;
     source_fake_post(place->fake, 0, &(struct event){.kind = EVENT_DOWN, .x = x, .y = y});
-    bool good = go_on(place, 0.2);
     source_fake_post(place->fake, 0, &(struct event){.kind = EVENT_UP, .x = x, .y = y});
-    return good && go_on(place, 0.3);
+    while (good && sheet_of(place).plans == plans) {
+        good = bench_wall_s() < end_s && live_turn(&place->live);
+    }
+    return good;
 }
 
 static uint64_t mark_of(const struct place *place)
@@ -154,7 +170,7 @@ static void paint(struct place *place, int to)
     for (int i = 0; good && i < SEEDS; i++) {
         good = touch(place, 0.35f + 0.3f * (float)i, 0.45f);
     }
-    uint64_t mark = good && settle(place) && go_on(place, KEPT_S) ? mark_of(place) : 0;
+    uint64_t mark = good && settle(place) && until_kept(place) ? mark_of(place) : 0;
     if (write(to, &mark, sizeof mark) == (ssize_t)sizeof mark) {
         go_on(place, PATIENCE_S);
     }

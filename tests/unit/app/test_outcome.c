@@ -17,30 +17,28 @@
 #include "along.h"
 #include "feed_action.h"
 #include "feeder.h"
+#include "folder_case.h"
 #include "hand.h"
 #include "outcome.h"
 #include "script.h"
 
 enum { SIDE = 64 };
 
-static char folder[64];
+static char folder[FOLDER_CASE_PATH];
 
 static void write_text(const char *name, const char *text)
 {
     char path[128];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    assert_true(folder_case_put(path, text));
 }
 
 /* A picture that is dark on the left. */
-static bool load(void *data, const char *in, const char *path, struct script_picture *picture, char *error, size_t size)
+static bool load(void *data, const char *in, const char *path, struct script_picture *picture, struct file_error *error)
 {
     (void)data, (void)in;
     if (strcmp(path, "half.png") != 0) {
-        snprintf(error, size, "'%s' is not there; a picture", path);
+        snprintf(error->text, sizeof error->text, "'%s' is not there; a picture", path);
         return false;
     }
     *picture = (struct script_picture){SIDE, SIDE, 1, calloc(SIDE * SIDE, sizeof(float))};
@@ -71,8 +69,7 @@ static struct script *parse(const char *text, struct report *report)
 static int make_folder(void **state)
 {
     (void)state;
-    strcpy(folder, "/tmp/frond-outcome-XXXXXX");
-    if (!mkdtemp(folder)) {
+    if (!folder_case_make(folder)) {
         return -1;
     }
     write_text("drop.yaml", DROP);
@@ -88,13 +85,7 @@ static int make_folder(void **state)
 static int remove_folder(void **state)
 {
     (void)state;
-    static const char *const NAMES[] = {"drop.yaml", "bad.yaml", "one.yaml", "other.yaml", "long.yaml"};
-    for (size_t i = 0; i < sizeof NAMES / sizeof *NAMES; i++) {
-        char path[128];
-        snprintf(path, sizeof path, "%s/%s", folder, NAMES[i]);
-        unlink(path);
-    }
-    return rmdir(folder);
+    return folder_case_remove(folder) ? 0 : -1;
 }
 
 /* Lines from a dense place in the middle run away from it. */

@@ -11,11 +11,12 @@
 
 #include "display.h"
 #include "easel.h"
+#include "patience.h"
 #include "player.h"
 #include "recorder.h"
 #include "studio.h"
 
-enum { PATIENCE_MS = 20000, TICKS = 260 };
+enum { TICKS = 260 };
 
 static const char SCRIPT[] = "frond: 1\n"
                              "canvas: {width: 120, height: 88, margin: 6}\n"

@@ -243,14 +243,14 @@ static void test_guide_formula(void **state)
 }
 
 /* Dark on the left, bright on the right; the name says which file was asked for. */
-static bool load_ramp(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
-                      size_t size)
+static bool load_ramp(void *data, const char *folder, const char *path, struct script_picture *picture,
+                      struct file_error *error)
 {
     enum { SIDE = 32 };
     int *calls = data;
     assert_string_equal(folder, ".");
     if (strcmp(path, "ramp.png") != 0) {
-        snprintf(error, size, "'%s' is not there; a picture", path);
+        snprintf(error->text, sizeof error->text, "'%s' is not there; a picture", path);
         return false;
     }
     *picture = (struct script_picture){SIDE, SIDE, 3, malloc(SIDE * SIDE * 3 * sizeof(float))};

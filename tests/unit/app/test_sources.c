@@ -17,10 +17,9 @@
 #include "gpio_mock.h"
 #include "hid_mock.h"
 #include "hid_samples.h"
+#include "patience.h"
 #include "source_queue.h"
 #include "sources.h"
-
-enum { PATIENCE_MS = 8000 };
 
 static const char TEXT[] = "inputs: 1\n"
                            "controllers:\n"

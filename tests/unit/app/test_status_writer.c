@@ -12,17 +12,18 @@
 #include <cmocka.h>
 #include <json.h>
 
+#include "folder_case.h"
+#include "patience.h"
 #include "status_writer.h"
 
 struct bench {
-    char folder[64], json[128], metrics[128];
+    char folder[FOLDER_CASE_PATH], json[128], metrics[128];
 };
 
 static int set_up(void **state)
 {
     struct bench *bench = calloc(1, sizeof *bench);
-    snprintf(bench->folder, sizeof bench->folder, "/tmp/frond-test-status-XXXXXX");
-    if (!mkdtemp(bench->folder)) {
+    if (!folder_case_make(bench->folder)) {
         return -1;
     }
     snprintf(bench->json, sizeof bench->json, "%s/%s", bench->folder, STATUS_JSON);
@@ -62,7 +63,7 @@ static int64_t visits(const struct bench *bench)
 
 static void wait_for(const struct bench *bench, int64_t wanted)
 {
-    for (int i = 0; i < 2500 && visits(bench) != wanted; i++) {
+    for (int i = 0; i < PATIENCE_MS / 2 && visits(bench) != wanted; i++) {
         nap();
     }
     assert_int_equal(visits(bench), wanted);
@@ -83,7 +84,7 @@ static void files_are_whole_and_go_at_the_end(void **state)
     wait_for(bench, 300);
     assert_false(status_writer_due(writer, 300 + STATUS_EVERY_US - 1));
     assert_true(status_writer_due(writer, 300 + STATUS_EVERY_US));
-    for (int i = 0; i < 2500 && access(bench->metrics, R_OK) != 0; i++) {
+    for (int i = 0; i < PATIENCE_MS / 2 && access(bench->metrics, R_OK) != 0; i++) {
         nap();
     }
     assert_int_equal(access(bench->metrics, R_OK), 0);
@@ -94,7 +95,7 @@ static void files_are_whole_and_go_at_the_end(void **state)
 
 static bool log_within(struct status_writer *writer, char *line, int size)
 {
-    for (int i = 0; i < 2500; i++) {
+    for (int i = 0; i < PATIENCE_MS / 2; i++) {
         if (status_writer_log(writer, line, size)) {
             return true;
         }

@@ -10,19 +10,19 @@
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "beneath.h"
 #include "fit.h"
+#include "folder_case.h"
 #include "session.h"
 
 static int open_from(const char *folder, const char *path)
 {
-    char error[300] = "";
-    int fd = beneath_open(folder, path, "a picture", error, sizeof error);
-    assert_true(fd >= 0 || *error);
+    struct file_error error = {""};
+    int fd = beneath_open(folder, path, "a picture", &error);
+    assert_true(fd >= 0 || error.text[0]);
     return fd;
 }
 
@@ -51,22 +51,17 @@ static void any_folder_reaches_them(void **state)
 static void a_folder_of_that_name_comes_first(void **state)
 {
     (void)state;
-    char folder[] = "/tmp/frond-stock-XXXXXX", path[64], byte = 0;
-    assert_non_null(mkdtemp(folder));
+    char folder[FOLDER_CASE_PATH], path[96], byte = 0;
+    assert_true(folder_case_make(folder));
     snprintf(path, sizeof path, "%s/stock", folder);
     assert_int_equal(mkdir(path, 0700), 0);
     snprintf(path, sizeof path, "%s/stock/cat.png", folder);
-    int fd = open(path, O_WRONLY | O_CREAT, 0600);
-    assert_int_equal(write(fd, "!", 1), 1);
-    close(fd);
-    fd = open_from(folder, "stock/cat.png");
+    assert_true(folder_case_put(path, "!"));
+    int fd = open_from(folder, "stock/cat.png");
     assert_int_equal(read(fd, &byte, 1), 1);
     assert_int_equal(byte, '!');
     close(fd);
-    assert_int_equal(remove(path), 0);
-    snprintf(path, sizeof path, "%s/stock", folder);
-    assert_int_equal(rmdir(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    assert_true(folder_case_remove(folder));
 }
 
 /* Every one can be read, and has lights and darks enough to grow over. */

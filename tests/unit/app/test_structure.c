@@ -111,13 +111,13 @@ static void they_tell_where_they_grow(void **state)
 }
 
 /* What every script's folder has. */
-static bool load(void *data, const char *folder, const char *path, struct script_picture *picture, char *error,
-                 size_t size)
+static bool load(void *data, const char *folder, const char *path, struct script_picture *picture,
+                 struct file_error *error)
 {
     (void)data;
     (void)folder;
     if (strcmp(path, "face.png") != 0) {
-        snprintf(error, size, "'%s' is not there; a picture", path);
+        snprintf(error->text, sizeof error->text, "'%s' is not there; a picture", path);
         return false;
     }
     *picture = portrait();

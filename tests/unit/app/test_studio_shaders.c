@@ -15,8 +15,6 @@
 #include "program.h"
 #include "studio.h"
 
-enum { PATIENCE_MS = 8000 * SLOWER };
-
 static const char SCRIPT[] = "frond: 1\n"
                              "canvas: {width: 96, height: 96}\n"
                              "ticks: 1000000\n"

@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 #include <dirent.h>
+#include <fcntl.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +18,7 @@
 #include "disk_case.h"
 #include "folder_case.h"
 #include "gallery_export.h"
+#include "patience.h"
 #include "usb_stick.h"
 
 enum { PATH_SIZE = 200 };
@@ -71,6 +73,24 @@ static void lists_of_mounts(void **state)
     usb_stick_destroy(stick);
     usb_stick_destroy(NULL);
     assert_null(usb_stick_create("/run/stick", "no-such"));
+}
+
+static void a_list_that_cannot_be_read_says_nothing(void **state)
+{
+    (void)state;
+    put("mounts", "90 1 8:17 / /run/stick rw - vfat /dev/sdb1 rw\n");
+    int folder = open(".", O_RDONLY | O_CLOEXEC), list = dup(folder);
+    close(list); /* the next descriptor is that of the list */
+    struct usb_stick *stick = usb_stick_create("/run/stick", "mounts");
+    assert_int_equal(usb_stick_look(stick), USB_STICK_CAME);
+    int kept = dup(list);
+    assert_int_equal(dup2(folder, list), list); /* of which read() says EISDIR */
+    assert_int_equal(usb_stick_look(stick), USB_STICK_SAME);
+    assert_int_equal(dup2(kept, list), list);
+    assert_int_equal(usb_stick_look(stick), USB_STICK_SAME);
+    usb_stick_destroy(stick);
+    close(kept);
+    close(folder);
 }
 
 static void the_kernels_mounts(void **state)
@@ -133,7 +153,7 @@ static void run_export(char line[EXPORT_LINE])
     struct gallery_export *export = gallery_export_start("g", "stick", EXPORT_FOLDER);
     assert_non_null(export);
     for (int i = 0; !gallery_export_ended(export, line); i++) {
-        assert_true(i < 10000);
+        assert_true(i < PATIENCE_MS);
         usleep(1000);
     }
     char again[EXPORT_LINE];
@@ -235,6 +255,7 @@ int main(void)
 #define WITH_STICK(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
     const struct CMUnitTest tests[] = {
         WITH_STICK(lists_of_mounts),
+        WITH_STICK(a_list_that_cannot_be_read_says_nothing),
         WITH_STICK(the_kernels_mounts),
         WITH_STICK(what_is_new_is_copied),
         WITH_STICK(only_where_staff_want_it),

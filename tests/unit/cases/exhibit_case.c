@@ -81,11 +81,11 @@ int exhibit_case_end(void **state)
 }
 
 /* Two by two: dark on the left, light on the right. */
-static bool load(void *data, const char *from, const char *path, struct script_picture *picture, char *error,
-                 size_t size)
+static bool load(void *data, const char *from, const char *path, struct script_picture *picture,
+                 struct file_error *error)
 {
     static const float VALUES[4] = {0, 1, 0, 1};
-    int fd = beneath_open(from, path, "a picture", error, size);
+    int fd = beneath_open(from, path, "a picture", error);
     const char *name = strrchr(path, '/');
     (void)data;
     if (fd < 0) {
@@ -93,7 +93,7 @@ static bool load(void *data, const char *from, const char *path, struct script_p
     }
     close(fd);
     if (strncmp(name ? name + 1 : path, "good", 4) != 0) {
-        snprintf(error, size, "'%s' is broken; a PNG, JPEG, TIFF, EXR or WebP picture", path);
+        snprintf(error->text, sizeof error->text, "'%s' is broken; a PNG, JPEG, TIFF, EXR or WebP picture", path);
         return false;
     }
     *picture = (struct script_picture){2, 2, 1, malloc(sizeof VALUES)};

@@ -13,7 +13,10 @@
 #include <GLES3/gl31.h>
 
 #include "display.h"
+#include "display_canvas.h"
+#include "display_egl.h"
 #include "display_source.h"
+#include "patience.h"
 #include "pattern.h"
 
 enum { WIDTH = 64, HEIGHT = 40 };
@@ -189,8 +192,8 @@ static void events_wait_until_they_are_asked_for(void **state)
     display_post(display, (struct event){.kind = EVENT_DOWN, .slot = 3});
     display_post(display, (struct event){.kind = EVENT_UP, .slot = 3});
     uint64_t start = source_now_us();
-    display_wait(display, 1000); /* something has happened: no waiting */
-    assert_true(source_now_us() - start < 500000);
+    display_wait(display, PATIENCE_MS); /* something has happened: no waiting */
+    assert_true(source_now_us() - start < 500u * PATIENCE_MS);
     assert_true(display_event(display, &event));
     assert_true(event.kind == EVENT_DOWN && event.slot == 3 && event.source == SOURCE_WINDOW);
     assert_true(display_event(display, &event));
@@ -212,10 +215,31 @@ static void other_devices_end_the_waiting(void **state)
     assert_true(source_now_us() - start >= 29000);
     assert_int_equal(write(ends[1], "x", 1), 1);
     start = source_now_us();
-    display_wait(display, 5000);
-    assert_true(source_now_us() - start < 1000000);
+    display_wait(display, PATIENCE_MS);
+    assert_true(source_now_us() - start < 500u * PATIENCE_MS);
     close(ends[0]);
     close(ends[1]);
+    display_destroy(display);
+}
+
+static void what_cannot_be_had_leaves_a_reason_and_nothing_else(void **state)
+{
+    (void)state;
+    struct display_def def = display_default_def();
+    struct device_error error;
+    struct display_canvas canvas;
+    def.kind = DISPLAY_HEADLESS;
+    struct display *display = display_create(&def, &error);
+    assert_true(display && display_enter(display));
+    EGLint value;
+    assert_string_equal(display_egl_reason(), "no reason given");
+    assert_false(eglQueryContext(eglGetCurrentDisplay(), eglGetCurrentContext(), EGL_NONE, &value));
+    assert_string_equal(display_egl_reason(), "0x3004 (EGL_BAD_ATTRIBUTE)");
+    assert_false(display_canvas_make(&canvas, 0, 0));
+    assert_int_equal(canvas.framebuffer + canvas.colour, 0);
+    assert_true(display_canvas_make(&canvas, 1, 1));
+    assert_true(canvas.framebuffer && canvas.colour);
+    display_canvas_drop(&canvas);
     display_destroy(display);
 }
 
@@ -240,6 +264,9 @@ static void definitions_are_checked(void **state)
     def.card = "/dev/dri/card77";
     assert_null(display_create(&def, &error));
     assert_string_equal(error.text, "kms: /dev/dri/card77: No such file or directory");
+    def.card = "/dev/dri/by-path/platform-fd500000.pcie-pci-0000:01:00.0-usb-0:1.2:1.0-card";
+    assert_null(display_create(&def, &error));
+    assert_non_null(strstr(error.text, "-usb-0:1.2:1.0-card: No such file or directory"));
 }
 
 static void without_a_screen_it_says_why(void **state)
@@ -279,6 +306,7 @@ int main(void)
         cmocka_unit_test(another_thread_shares_buffers),
         cmocka_unit_test(events_wait_until_they_are_asked_for),
         cmocka_unit_test(other_devices_end_the_waiting),
+        cmocka_unit_test(what_cannot_be_had_leaves_a_reason_and_nothing_else),
         cmocka_unit_test(definitions_are_checked),
         cmocka_unit_test(without_a_screen_it_says_why),
         cmocka_unit_test(a_display_says_what_it_is),

@@ -118,6 +118,45 @@ static void leaves_the_old_file_when_the_disk_is_full(void **state)
     assert_int_equal(entries(), 1);
 }
 
+static int fail_to_rename(int from_folder, const char *from, int to_folder, const char *to)
+{
+    (void)from_folder;
+    (void)from;
+    (void)to_folder;
+    (void)to;
+    errno = EIO;
+    return -1;
+}
+
+static int leave_it(int folder, const char *path, int flags)
+{
+    (void)folder;
+    (void)path;
+    (void)flags;
+    return 0;
+}
+
+static void knows_its_temporaries(void **state)
+{
+    (void)state;
+    struct file_calls calls = file_calls_system;
+    struct dirent *entry;
+    int temporaries = 0;
+    calls.renameat = fail_to_rename;
+    calls.unlinkat = leave_it;
+    assert_int_equal(file_write_atomic_by(&calls, "a", "half", 4), EIO);
+    DIR *all = opendir(".");
+    while ((entry = readdir(all))) {
+        temporaries += file_is_temporary(entry->d_name);
+    }
+    closedir(all);
+    assert_int_equal(temporaries, 1);
+    assert_int_equal(entries(), 1);
+    assert_false(file_is_temporary(".frond-0123456789abcde.part"));
+    assert_false(file_is_temporary(".frond-0123456789abcdef.part~"));
+    assert_false(file_is_temporary("frond-0123456789abcdef.part"));
+}
+
 static void shows_paths_on_one_line(void **state)
 {
     (void)state;
@@ -144,6 +183,7 @@ int main(void)
         IN_FOLDER(replaces_a_link_and_not_its_target),
         IN_FOLDER(says_why_not),
         IN_FOLDER(leaves_the_old_file_when_the_disk_is_full),
+        IN_FOLDER(knows_its_temporaries),
         cmocka_unit_test(shows_paths_on_one_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "gpio_mock.h"
+#include "patience.h"
 #include "source_gpio.h"
 #include "source_queue.h"
 
@@ -122,7 +123,7 @@ static void edges_come_with_the_times_of_the_kernel(void **state)
     gpio_mock_level(mock, 1, true, 123456789);
     gpio_mock_level(mock, 1, false, 123556789);
     struct pollfd wait = {.fd = ops->fd(line), .events = POLLIN};
-    assert_int_equal(poll(&wait, 1, 1000), 1);
+    assert_int_equal(poll(&wait, 1, PATIENCE_MS), 1);
     int count = 0;
     for (int tries = 0; count < 2 && tries < 1000; tries++) {
         int read = ops->read(line, edges + count);
@@ -181,7 +182,7 @@ static bool next(struct source *source, struct event *event, int most_ms)
 static struct event expect(struct source *source, enum event_kind kind, uint32_t control, float value)
 {
     struct event event = {.kind = EVENT_NONE};
-    assert_true(next(source, &event, 3000));
+    assert_true(next(source, &event, PATIENCE_MS));
     assert_int_equal(event.kind, kind);
     assert_int_equal(event.control, control);
     assert_float_equal(event.value, value, 0);

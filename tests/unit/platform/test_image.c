@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -218,6 +219,21 @@ static void writes_named_floats_to_the_bit(void **state)
     image_finish(&image);
 }
 
+static void what_is_no_number_counts_as_0_in_a_smaller_picture(void **state)
+{
+    (void)state;
+    const float plane[8] = {1, 1, 3, INFINITY, 1, NAN, 3, 3}, *planes[] = {plane};
+    const char *names[] = {"Y"};
+    struct image_def own = def();
+    struct image image;
+    assert_true(image_write_exr("out.exr", names, planes, 1, 4, 2, &own, NULL));
+    own.shrink = 2;
+    assert_true(image_read("out.exr", &own, &image, NULL));
+    assert_true(image.width == 2 && image.height == 1 && image.channels == 1);
+    assert_true(image.values[0] == 0.75f && image.values[1] == 2.25f);
+    image_finish(&image);
+}
+
 static void refuses_to_write_nonsense(void **state)
 {
     (void)state;
@@ -368,6 +384,32 @@ static void survives_bad_helpers(void **state)
     assert_refused("a.png", &own, "a.png: took longer than 1 s");
 }
 
+/* Four are needed until the helper runs, and one more to learn when it ends. */
+static void says_that_descriptors_are_short(void **state)
+{
+    (void)state;
+    enum { MOST = 64, NEEDED = 4 };
+    struct image_def own = def();
+    own.helper = "./helper";
+    struct rlimit before;
+    int taken[MOST], count = 0;
+    assert_int_equal(symlink(SAMPLES "rgb.png", "a.png"), 0);
+    fake_helper("#!/bin/sh\nexit 0\n");
+    assert_int_equal(getrlimit(RLIMIT_NOFILE, &before), 0);
+    assert_int_equal(setrlimit(RLIMIT_NOFILE, &(struct rlimit){MOST, before.rlim_max}), 0);
+    while ((taken[count] = dup(2)) >= 0) {
+        count++;
+    }
+    for (int i = 0; i < NEEDED; i++) {
+        close(taken[--count]);
+    }
+    assert_refused("a.png", &own, "a.png: the picture helper ./helper does not start: Too many open files");
+    while (count > 0) {
+        close(taken[--count]);
+    }
+    assert_int_equal(setrlimit(RLIMIT_NOFILE, &before), 0);
+}
+
 static void leaves_nothing_when_a_write_fails(void **state)
 {
     (void)state;
@@ -433,11 +475,13 @@ int main(void)
         IN_FOLDER(reads_photographs),
         IN_FOLDER(writes_png),
         IN_FOLDER(writes_named_floats_to_the_bit),
+        IN_FOLDER(what_is_no_number_counts_as_0_in_a_smaller_picture),
         IN_FOLDER(refuses_to_write_nonsense),
         IN_FOLDER(refuses_what_is_no_picture),
         IN_FOLDER(goes_by_the_bytes_and_not_the_name),
         IN_FOLDER(refuses_bombs),
         IN_FOLDER(survives_bad_helpers),
+        IN_FOLDER(says_that_descriptors_are_short),
         IN_FOLDER(leaves_nothing_when_a_write_fails),
         IN_FOLDER(gives_helpers_nothing_else),
     };

@@ -18,6 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "folder_case.h"
 #include "image.h"
 
 enum { FILES = 80, THREADS = 2, SIZE_MAX_BYTES = 4096, HEADER = 64 };
@@ -144,10 +145,10 @@ static void *read_broken(void *argument)
     return NULL;
 }
 
-static int open_descriptors(void)
+static int entries(const char *folder)
 {
     int count = 0;
-    DIR *all = opendir("/proc/self/fd");
+    DIR *all = opendir(folder);
     assert_non_null(all);
     while (readdir(all)) {
         count++;
@@ -159,10 +160,7 @@ static int open_descriptors(void)
 static void survives_broken_pictures(void **state)
 {
     const int files = *(const int *)*state;
-    char folder[] = "/tmp/frond-broken-XXXXXX";
-    assert_non_null(mkdtemp(folder));
-    assert_int_equal(chdir(folder), 0);
-    int before = open_descriptors();
+    int before = entries("/proc/self/fd");
     struct tally tallies[THREADS] = {0};
     int pictures = 0, errors = 0, by_format[FORMATS] = {0};
     for (int i = 0; i < THREADS; i++) {
@@ -178,12 +176,11 @@ static void survives_broken_pictures(void **state)
             by_format[k] += tallies[i].by_format[k];
         }
     }
-    assert_int_equal(chdir("/"), 0);
     for (int i = 0; i < THREADS; i++) {
         assert_string_equal(tallies[i].wrong, "");
     }
-    assert_int_equal(rmdir(folder), 0);
-    assert_int_equal(open_descriptors(), before);
+    assert_int_equal(entries("/proc/self/fd"), before);
+    assert_int_equal(entries("."), 2); /* . and .. */
     assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
     assert_int_equal(errno, ECHILD);
     print_message("%d pictures, %d errors\n", pictures, errors);
@@ -198,6 +195,7 @@ static void survives_broken_pictures(void **state)
 int main(int argc, char *argv[])
 {
     int files = argc > 1 ? atoi(argv[1]) : FILES;
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(survives_broken_pictures, &files)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate_setup_teardown(
+        survives_broken_pictures, folder_case_enter, folder_case_leave, &files)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -76,6 +76,21 @@ static void a_mode_that_fails_when_it_is_set(void **state)
     assert_int_equal(bench->fake.width, 1280);
 }
 
+static void a_mode_without_framebuffers_makes_way_for_the_next(void **state)
+{
+    struct bench *bench = *state;
+    const struct device_error reason = {"no buffer of 1920x1080"};
+    fake_plug(&bench->fake, 1, 1920, 1080, 60);
+    fake_add_mode(&bench->fake, 1, 1280, 720, 60, 0, 0);
+    assert_true(start(bench, (struct kms_wish){0}));
+    kms_screen_unfit(&bench->screen, &reason, bench->now_us);
+    assert_string_equal(bench->screen.reason.text, reason.text);
+    assert_int_equal(bench->screen.stage, KMS_CHOSEN);
+    attend(bench, 0, false);
+    assert_true(frame(bench));
+    assert_int_equal(bench->fake.width, 1280);
+}
+
 static void a_wish_that_cannot_come_true(void **state)
 {
     struct bench *bench = *state;
@@ -230,6 +245,7 @@ int main(void)
         KMS_CASE(a_refused_mode_makes_way_for_the_next),
         KMS_CASE(when_every_mode_is_refused_the_screen_is_absent),
         KMS_CASE(a_mode_that_fails_when_it_is_set),
+        KMS_CASE(a_mode_without_framebuffers_makes_way_for_the_next),
         KMS_CASE(a_wish_that_cannot_come_true),
         KMS_CASE(a_plane_without_a_property_is_named),
         KMS_CASE(a_flip_that_never_comes),

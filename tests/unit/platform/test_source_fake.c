@@ -6,11 +6,15 @@
 
 #include <cmocka.h>
 
+#include <errno.h>
+#include <grp.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
+#include "source_device.h"
 #include "source_fake.h"
 #include "source_queue.h"
 
@@ -194,6 +198,49 @@ static void test_full_queue(void **state)
     free(queue);
 }
 
+static void test_what_a_terminal_might_obey(void **state)
+{
+    (void)state;
+    struct device device = {.name = "\033]0;mine\a", .admitted = true};
+    struct source *source = make(&(struct source_fake_def){.devices = &device, .device_count = 1});
+    char line[SOURCE_LOG_LENGTH], text[12];
+    assert_true(source->ops->log(source, line, sizeof line));
+    assert_string_equal(line, "'?]0;mine?' has arrived");
+    source_destroy(source);
+    device_copy_text(text, sizeof text, "\xc2\x9b\xc2\xb5\xc3\x9b\x7f\t more");
+    assert_string_equal(text, "??\xc2\xb5\xc3\x9b?? mo");
+    device_copy_text(text, sizeof text, NULL);
+    assert_string_equal(text, "");
+}
+
+static void test_who_is_meant(void **state)
+{
+    (void)state;
+    assert_true(device_matches(&(struct device_match){.vendor = 0}, 1, 2, ""));
+    assert_true(device_matches(&(struct device_match){.vendor = 1, .product = 2, .name = "pad"}, 1, 2, "A Gamepad"));
+    assert_false(device_matches(&(struct device_match){.vendor = 1, .product = 3}, 1, 2, "A Gamepad"));
+    assert_false(device_matches(&(struct device_match){.vendor = 2}, 1, 2, "A Gamepad"));
+    assert_false(device_matches(&(struct device_match){.name = "pads"}, 1, 2, "A Gamepad"));
+}
+
+/* Of a file that belongs to a group of its own, as /dev/input/event0 does. */
+static void test_no_permission_names_the_group(void **state)
+{
+    (void)state;
+    struct stat status;
+    char text[160];
+    const struct group *group = getgrnam("shadow");
+    if (!group || stat("/etc/shadow", &status) != 0 || status.st_gid != group->gr_gid || !(status.st_mode & S_IRGRP)) {
+        skip();
+    }
+    device_explain(text, sizeof text, "/etc/shadow", EACCES, "X");
+    assert_string_equal(text, "no permission: Frond's user must be in the group 'shadow' (SupplementaryGroups=shadow)");
+    device_explain(text, sizeof text, "/etc/shadow", EBUSY, "X");
+    assert_string_equal(text, "cannot be opened: Device or resource busy");
+    device_explain(text, sizeof text, "/nowhere", EACCES, "X");
+    assert_string_equal(text, "no permission; udev rule: X");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -201,6 +248,9 @@ int main(void)
         cmocka_unit_test(test_posted),
         cmocka_unit_test(test_wrong_definitions),
         cmocka_unit_test(test_full_queue),
+        cmocka_unit_test(test_what_a_terminal_might_obey),
+        cmocka_unit_test(test_who_is_meant),
+        cmocka_unit_test(test_no_permission_names_the_group),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

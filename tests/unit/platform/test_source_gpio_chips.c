@@ -78,6 +78,23 @@ static void replugging_between_two_looks_is_seen(void **state)
     expect(fixture, EVENT_CONTROL, GREEN, 1);
 }
 
+/* Of a loop that stood still for a while. */
+static void a_button_comes_up_on_the_chip_that_it_was_on(void **state)
+{
+    struct fixture *fixture = *state;
+    level(fixture, 1, true);
+    pass(fixture, 50000);
+    expect(fixture, EVENT_CONTROL, GREEN, 1);
+    fake_unplug(&fixture->fake, 2);
+    plug_board(&fixture->fake, 0);
+    fixture->fake.now_us += 2000000;
+    fixture->source->ops->dispatch(fixture->source);
+    assert_int_equal(expect(fixture, EVENT_CONTROL, GREEN, 0).device, 3);
+    assert_int_equal(expect(fixture, EVENT_LEFT, 0, 0).device, 3);
+    pass(fixture, 1100000);
+    assert_int_equal(expect(fixture, EVENT_ARRIVED, 0, 0).device, 1);
+}
+
 static void a_line_of_another_program_is_waited_for(void **state)
 {
     (void)state;
@@ -152,12 +169,12 @@ static void a_chip_that_may_not_be_opened_says_how_to_mend_it(void **state)
     pass(&fixture, 3000000);
     char line[200];
     assert_true(fixture.source->ops->log(fixture.source, line, sizeof line));
-    assert_non_null(strstr(line, "no permission for /dev/gpiochip2: "));
-    assert_non_null(strstr(line, "group"));
+    assert_non_null(strstr(line, "/dev/gpiochip2: no permission"));
+    assert_non_null(strstr(line, "GROUP"));
     expect_log(&fixture, "");
     struct device device;
     assert_int_equal(fixture.source->ops->devices(fixture.source, &device, 1), 1);
-    assert_non_null(strstr(device.trouble, "no permission for /dev/gpiochip2: "));
+    assert_non_null(strstr(device.trouble, "/dev/gpiochip2: no permission"));
     fixture.fake.chips[2].denied = 0;
     pass(&fixture, 1100000);
     expect(&fixture, EVENT_ARRIVED, 0, 0);
@@ -219,6 +236,7 @@ int main(void)
         WITH_BOARD(a_chip_that_leaves_lets_go_of_its_buttons),
         WITH_BOARD(a_chip_that_no_longer_answers_has_left),
         WITH_BOARD(replugging_between_two_looks_is_seen),
+        WITH_BOARD(a_button_comes_up_on_the_chip_that_it_was_on),
         cmocka_unit_test(a_line_of_another_program_is_waited_for),
         cmocka_unit_test(what_is_missing_is_said_once),
         cmocka_unit_test(a_chip_that_may_not_be_opened_says_how_to_mend_it),

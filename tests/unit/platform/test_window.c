@@ -13,12 +13,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <GLES3/gl31.h>
 
 #include "display.h"
 #include "display_source.h"
+#include "display_window_input.h"
+#include "patience.h"
 #include "pattern.h"
 
 enum { WIDTH = 320, HEIGHT = 200, WIDER = 400, HIGHER = 260 };
@@ -54,7 +57,8 @@ static void turn_loop(struct scene *scene)
 
 static void draw_frames(struct scene *scene, int count)
 {
-    uint64_t until = display_frames(scene->display).presented + (uint64_t)count, end = source_now_us() + 10000000;
+    uint64_t until = display_frames(scene->display).presented + (uint64_t)count,
+             end = source_now_us() + 1000u * (uint64_t)PATIENCE_MS;
     while (display_frames(scene->display).presented < until) {
         assert_true(source_now_us() < end);
         turn_loop(scene);
@@ -63,7 +67,7 @@ static void draw_frames(struct scene *scene, int count)
 
 static bool await_state(struct scene *scene, enum display_state state)
 {
-    uint64_t end = source_now_us() + 3000000;
+    uint64_t end = source_now_us() + 1000u * (uint64_t)PATIENCE_MS;
     while (display_state(scene->display) != state && source_now_us() < end) {
         turn_loop(scene);
     }
@@ -92,7 +96,7 @@ static void use(const char *command)
 
 static bool await_event(struct scene *scene, enum event_kind kind, struct event *event)
 {
-    for (uint64_t end = source_now_us() + 3000000; source_now_us() < end;) {
+    for (uint64_t end = source_now_us() + 1000u * (uint64_t)PATIENCE_MS; source_now_us() < end;) {
         while (display_event(scene->display, event)) {
             if (event->kind == kind) {
                 return true;
@@ -174,7 +178,7 @@ static void it_follows_its_size(void **state)
     assert_captured(&scene);
     snprintf(command, sizeof command, "windowsize --sync %d %d", WIDER, HIGHER);
     use(command);
-    for (uint64_t end = source_now_us() + 3000000;
+    for (uint64_t end = source_now_us() + 1000u * (uint64_t)PATIENCE_MS;
          display_panel(scene.display).width != WIDER && source_now_us() < end;) {
         turn_loop(&scene);
     }
@@ -207,6 +211,19 @@ static void the_mouse_is_a_finger(void **state)
     display_destroy(scene.display);
 }
 
+static void a_mouse_that_leaves_stops_at_the_edge(void **state)
+{
+    (void)state;
+    struct window_input input = {.pressed = false};
+    struct event finger;
+    SDL_Event event = {.button = {.type = SDL_MOUSEBUTTONDOWN, .button = SDL_BUTTON_LEFT, .x = 9, .y = 19}};
+    assert_true(window_input_take(&input, &event, 100, 100, &finger));
+    assert_true(finger.x == .095f && finger.y == .195f);
+    event = (SDL_Event){.motion = {.type = SDL_MOUSEMOTION, .x = -40, .y = 130}};
+    assert_true(window_input_take(&input, &event, 100, 100, &finger));
+    assert_true(finger.x == 0 && finger.y == 1);
+}
+
 static void push_window(Uint8 what)
 {
     SDL_Event event = {.window = {.type = SDL_WINDOWEVENT, .windowID = 1, .event = what}};
@@ -230,8 +247,8 @@ static void other_devices_end_the_waiting(void **state)
     }
     assert_int_equal(write(ends[1], "x", 1), 1);
     start = source_now_us();
-    display_wait(scene.display, 5000);
-    assert_true(source_now_us() - start < 1000000);
+    display_wait(scene.display, PATIENCE_MS);
+    assert_true(source_now_us() - start < 500u * PATIENCE_MS);
     close(ends[0]);
     close(ends[1]);
     display_destroy(scene.display);
@@ -369,13 +386,73 @@ static void another_thread_shares_textures(void **state)
     display_destroy(scene.display);
 }
 
+/* A server of its own; its name goes to `name`, ":1". */
+static pid_t start_server(char name[16])
+{
+    int ends[2];
+    assert_int_equal(pipe(ends), 0);
+    pid_t server = fork();
+    if (server == 0) {
+        char descriptor[16];
+        snprintf(descriptor, sizeof descriptor, "%d", ends[1]);
+        assert_non_null(freopen("/dev/null", "w", stderr)); /* of displays that others have */
+        execlp("Xvfb", "Xvfb", "-displayfd", descriptor, "-screen", "0", "640x480x24", (char *)NULL);
+        _exit(127);
+    }
+    close(ends[1]);
+    FILE *said = fdopen(ends[0], "r");
+    assert_true(server > 0 && said && fgets(name + 1, 15, said));
+    name[0] = ':';
+    name[strcspn(name, "\n")] = '\0';
+    fclose(said);
+    return server;
+}
+
+enum { IN_ORDER = 42 };
+
+/* In a process of its own: Xlib would end it. */
+static void outlive(pid_t server, const char *name)
+{
+    struct scene scene;
+    uint64_t end = source_now_us() + 10000000;
+    setenv("DISPLAY", name, 1);
+    alarm(30); /* it hangs */
+    open_scene(&scene, DISPLAY_WINDOW, 0);
+    draw_frames(&scene, 2);
+    kill(server, SIGKILL);
+    while (!display_closed(scene.display) && source_now_us() < end) {
+        turn_loop(&scene);
+    }
+    bool told = strstr(display_describe(scene.display), "the desktop has gone");
+    bool closed = display_closed(scene.display) && !display_begin(scene.display);
+    display_destroy(scene.display);
+    _exit(closed && told ? IN_ORDER : 1);
+}
+
+static void it_outlives_its_desktop(void **state) /* the first: nothing of SDL is in this process yet */
+{
+    (void)state;
+    char name[16];
+    int status = 0;
+    pid_t server = start_server(name), child = fork();
+    if (child == 0) {
+        outlive(server, name);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    kill(server, SIGKILL);
+    waitpid(server, NULL, 0);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == IN_ORDER);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_outlives_its_desktop),
         cmocka_unit_test(a_window_shows_what_is_drawn),
         cmocka_unit_test(the_server_shows_it_too),
         cmocka_unit_test(it_follows_its_size),
         cmocka_unit_test(the_mouse_is_a_finger),
+        cmocka_unit_test(a_mouse_that_leaves_stops_at_the_edge),
         cmocka_unit_test(fingers_have_slots),
         cmocka_unit_test(other_devices_end_the_waiting),
         cmocka_unit_test(it_hides_fills_the_screen_and_closes),

@@ -89,14 +89,18 @@ static void do_shape(struct garden *garden, int64_t tick, const char *name, floa
     garden_act(garden, tick, &action);
 }
 
-static void do_tend(struct garden *garden, int64_t tick, struct point from, struct point to, float amount)
+static void do_tend_along(struct garden *garden, int64_t tick, const struct point *path, int count, float amount)
 {
-    const struct point path[2] = {from, to};
     struct action action = action_default(ACTION_TEND);
-    action.path = (struct action_path){path, 2};
+    action.path = (struct action_path){path, count};
     action.radius = 14;
     action.amount = amount;
     garden_act(garden, tick, &action);
+}
+
+static void do_tend(struct garden *garden, int64_t tick, struct point from, struct point to, float amount)
+{
+    do_tend_along(garden, tick, (const struct point[2]){from, to}, 2, amount);
 }
 
 static struct garden_plan grow(struct garden *garden)
@@ -338,6 +342,25 @@ static void growth_keeps_clear_of_a_hand_until_it_is_lifted(void **state)
     garden_destroy(garden);
 }
 
+static void a_long_stroke_tends_to_its_end(void **state)
+{
+    enum { LINGERS = 3000 };
+    (void)state;
+    struct point path[LINGERS + 1], from = {0.4f, 0.2f}, to = {0.65f, 0.25f};
+    struct garden *lingering = grown(), *quick = grown();
+    for (int i = 0; i < LINGERS; i++) {
+        path[i] = from;
+    }
+    path[LINGERS] = to;
+    do_tend_along(lingering, 300, path, LINGERS + 1, 0.7f);
+    do_tend(quick, 300, from, to, 0.7f);
+    grow(lingering);
+    grow(quick);
+    assert_true(shape_of(lingering) == shape_of(quick));
+    garden_destroy(lingering);
+    garden_destroy(quick);
+}
+
 static void tending_makes_a_place_denser_and_leaves_the_rest(void **state)
 {
     (void)state;
@@ -576,6 +599,7 @@ int main(void)
         cmocka_unit_test(each_seed_has_its_own_structure_and_all_tips_are_reached),
         cmocka_unit_test(births_go_on_along_branches),
         cmocka_unit_test(growth_keeps_clear_of_a_hand_until_it_is_lifted),
+        cmocka_unit_test(a_long_stroke_tends_to_its_end),
         cmocka_unit_test(tending_makes_a_place_denser_and_leaves_the_rest),
         cmocka_unit_test(what_is_taken_back_comes_back),
         cmocka_unit_test(water_takes_what_has_grown),

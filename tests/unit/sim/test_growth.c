@@ -91,7 +91,7 @@ static void trees_are_in_one_piece_and_stay_in_their_crown(void **state)
 {
     (void)state;
     float *grey = malloc(SIDE * SIDE * sizeof *grey);
-    for (int side = SIDE_NONE; side <= SIDE_ALL; side++) {
+    for (int side = GROWTH_SIDE_NONE; side <= GROWTH_SIDE_ALL; side++) {
         struct growth_def def = growth_preset(METAPHOR_PAINTED, true);
         def.side = side;
         def.seed = 3 + side;
