@@ -7,6 +7,7 @@
 
 #include "journal_write.h"
 #include "pack_planes.h"
+#include "upkeep.h"
 
 enum { ZSTD_LEVEL = 1 };
 
@@ -92,7 +93,8 @@ bool checkpoint_pack(struct packer *packer, const struct checkpoint *checkpoint,
                      struct bytes *out, uint64_t *hash)
 {
     size_t from = out->size;
-    const uint64_t counters[] = {(uint64_t)checkpoint->quiet_periods, (uint64_t)checkpoint->carved};
+    int quiet = checkpoint->quiet_periods < STILL_PERIODS ? checkpoint->quiet_periods : STILL_PERIODS;
+    const uint64_t counters[] = {(uint64_t)quiet, (uint64_t)checkpoint->carved};
     if (!fit(packer, checkpoint)) {
         return false;
     }

@@ -199,8 +199,9 @@ static void note_tiles(struct fluid_pass *pass, int ty)
  * painting_stir wakes those that slept in a wider one only. */
 static float dead_band(const struct painting *painting)
 {
-    int wider = painting->quiet_periods / 8 + 1 - CALM_PERIODS / 8;
-    wider = wider < 0 ? 0 : wider > 3 ? 3 : wider;
+    int quiet = painting->quiet_periods < STILL_PERIODS ? painting->quiet_periods : STILL_PERIODS;
+    int wider = quiet / 8 + 1 - CALM_PERIODS / 8;
+    wider = wider < 0 ? 0 : wider;
     return 1.5f * 8388608.0f / (float)(8192 >> (2 * wider));
 }
 
