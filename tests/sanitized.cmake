@@ -1,11 +1,6 @@
 # Tests where a sanitizer looks on (FROND_SANITIZE), or lines are counted (FROND_COVERAGE). They may know the former, by
 # SANITIZED and SANITIZED_THREAD; every folder that has tests calls frond_sanitized() last, which gives them patience and
 # options.
-#
-# tests/run --sanitized runs all there are, but for these (and those of the virtual machine, which start what was built for it):
-#   unit.painting_same    the same bits from every kernel and any number of threads, at length: unit.painting has its calls,
-#                         and the kernels it compares are not looked at here (FROND_BARE_KERNELS)
-set(frond_unsanitized unit.painting_same)
 if(FROND_SANITIZE)
     add_compile_definitions(SANITIZED)
 endif()
@@ -23,9 +18,6 @@ function(frond_sanitized)
     endif()
     get_property(tests DIRECTORY PROPERTY TESTS)
     foreach(test IN LISTS tests)
-        if(FROND_SANITIZE AND test IN_LIST frond_unsanitized)
-            set_tests_properties(${test} PROPERTIES DISABLED TRUE)
-        endif()
         get_test_property(${test} TIMEOUT limit)
         math(EXPR limit "${patience} * ${limit}")
         set_tests_properties(${test} PROPERTIES TIMEOUT ${limit})

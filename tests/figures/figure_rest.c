@@ -2,6 +2,7 @@
 #include <time.h>
 
 #include "figure.h"
+#include "patience.h"
 #include "subject.h"
 
 enum { SIDE = 256, SETTLED = 4000, MINUTES_10 = 36000, LAST = 30000, DENSE = 300 };
@@ -64,6 +65,8 @@ void figure_rest(struct figure *figure)
     figure_check(figure, grown < 0.01 && grown > -0.01,
                  "area changes by %+.2f %% after tick %d, within 1 %%: %lld, %lld", 100 * grown, SETTLED,
                  (long long)settled, (long long)area);
-    figure_check(figure, tick < 0.01 * dense, "a tick at rest takes %.2f us of CPU, dense %.0f us: %.3f %%, under 1 %%",
-                 1e6 * tick, 1e6 * dense, 100 * tick / dense);
+    double limit = 0.01 * SLOWER; /* a sanitizer sees all but the kernels, which do nothing at rest */
+    figure_check(figure, tick < limit * dense,
+                 "a tick at rest takes %.2f us of CPU, dense %.0f us: %.3f %%, under %.0f %%", 1e6 * tick, 1e6 * dense,
+                 100 * tick / dense, 100 * limit);
 }

@@ -1,5 +1,4 @@
-/* The same bits whatever computes them: vectors, sleep, threads. Long runs, which sanitizers are spared; what they look
- * for stands in test_painting.c. */
+/* The same bits whatever computes them: vectors, sleep, threads. Long runs; test_painting.c has short ones. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
