@@ -82,10 +82,11 @@ static void paint_until(struct keep_case *one, int64_t ticked)
 }
 
 /* As many ticks as are kept; leaves the files, as a crash would. */
-static void leave_painting(int64_t ticked, struct keep_report *report)
+static void leave_painting_in(const char *folder, int64_t ticked, struct keep_report *report)
 {
     struct keep_def def = quick_def();
     struct keep_case one;
+    def.folder = folder;
     struct keep *keep = keep_create(&def, NULL);
     assert_non_null(keep);
     keep_visit(keep, true);
@@ -94,6 +95,11 @@ static void leave_painting(int64_t ticked, struct keep_report *report)
     *report = keep_report(keep);
     keep_destroy(keep);
     keep_case_close(&one);
+}
+
+static void leave_painting(int64_t ticked, struct keep_report *report)
+{
+    leave_painting_in("state", ticked, report);
 }
 
 /* What comes back is the painting as it was at that tick. */
@@ -159,6 +165,16 @@ static void it_comes_back_as_it_was(void **state)
 }
 
 /* Three lives of one painting: in the end its journal holds all of them, and paints it from the first tick. */
+static void its_folder_is_made_with_those_above_it(void **state)
+{
+    (void)state;
+    struct keep_report report;
+    struct keep_found found;
+    leave_painting_in("not/yet/there", 20, &report);
+    assert_true(keep_find("not/yet/there", &found));
+    keep_found_finish(&found);
+}
+
 static void its_journal_goes_on_over_crashes(void **state)
 {
     (void)state;
@@ -536,6 +552,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(it_comes_back_as_it_was),
         IN_FOLDER(repeating_ends_in_time),
+        IN_FOLDER(its_folder_is_made_with_those_above_it),
         IN_FOLDER(its_journal_goes_on_over_crashes),
         IN_FOLDER(nothing_is_written_when_nobody_paints),
         IN_FOLDER(nothing_is_written_while_nothing_happens),
