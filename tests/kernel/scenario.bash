@@ -71,7 +71,7 @@ start() { # start NAME COMMAND...; what `tell` says is its standard input
 tell() { # tell NAME LINE
     printf '%s\n' "$2" >"$scratch/$1.in"
 }
-patience=120 # seconds that one thing is waited for: only what hangs takes so long, however slow the machine is
+patience=180 # seconds that one thing is waited for: only what hangs takes so long, however slow the machine is
 # Until a line of the log holds the pattern; only lines after those that the last `await` of that name has seen.
 declare -A seen=()
 await() { # await NAME PATTERN
