@@ -54,28 +54,26 @@ says_line() { # a line of stderr, as a basic regular expression
     grep -q -- "^$1\$" err.txt || fail "$last: does not say: $1"
 }
 
-# wait_until TENTHS WHAT COMMAND...: until the command succeeds, for at most so many tenths of a second; WHAT is wrong then.
+# wait_until COMPLAINT COMMAND...: until the command is true; only what hangs takes as long as it waits at most.
 wait_until() {
-    left=$(($1 * patience))
-    what=$2
-    shift 2
-    until "$@"; do
+    complaint=$1 left=$((600 * patience)) # tenths of a second, or more
+    shift
+    until "$@" 2>/dev/null; do
         left=$((left - 1))
         [ "$left" -gt 0 ] || {
-            fail "$what"
+            fail "$complaint"
             return 1
         }
         sleep 0.1
     done
 }
 
-# wait_for PATTERN TENTHS [FILE]: until a line of stderr, or of FILE, says so.
-wait_for() {
-    wait_until "$2" "${3-err.txt} never said: $1" grep -qs -- "$1" "${3-err.txt}"
+wait_for() { # wait_for PATTERN [FILE]: until a line of stderr, or of FILE, says so
+    wait_until "${2-err.txt} never said: $1" grep -q -- "$1" "${2-err.txt}"
 }
 
-says_times() { # says_times PATTERN COUNT: at least so many lines of stderr
-    [ "$(grep -c -- "$1" err.txt)" -ge "$2" ]
+says_times() { # says_times COUNT PATTERN: so many lines of stderr, or more
+    [ "$(grep -c -- "$2" err.txt)" -ge "$1" ]
 }
 
 size_of() { # WIDTHxHEIGHT of a PNG, from its header

@@ -33,7 +33,7 @@ grep -q '^frond: no/d.png: ' err.txt || fail "$last: no reason"
 
 # It ends by a signal, politely.
 "$frond" run one-drop.yaml --display headless --mode 64x48 --engine cpu >out.txt 2>err.txt &
-wait_for "engine cpu" 100
+wait_for "engine cpu"
 kill -TERM $!
 wait $!
 status=$?
