@@ -40,8 +40,6 @@ struct place {
     struct studio *_Atomic studio; /* NULL until studio_create has given it */
     struct journal_writer writer;
     uint64_t hash; /* of the painting after tick TICKS */
-    int64_t told;
-    int records;
     _Atomic bool done;
 };
 
@@ -144,14 +142,15 @@ static void nap(void)
 static void hear(void *data, const struct studio_event *event)
 {
     struct place *place = data;
+    if (place->done) { /* the session begins anew; the journal is being read */
+        return;
+    }
     recorder_write(&place->writer, event, 0, "");
-    place->records++;
     if (event->kind == STUDIO_TICKED) {
         while (!place->studio) {
             nap();
         }
         happen(place, event->ticked);
-        place->told = event->ticked;
     }
     if (event->kind == STUDIO_TICKED && event->ticked == TICKS) {
         place->hash = painting_hash(engine_cpu_painting(event->engine));
