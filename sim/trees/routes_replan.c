@@ -7,9 +7,8 @@
 
 enum {
     DIRECTION_BITS = 3,
-    SEARCH_PART = 8,   /* one in so many forgotten nodes is searched for before the rest is moved */
+    SEARCH_PART = 3, /* one in so many forgotten nodes, found by measuring, is searched for before the rest is moved; */
     SEARCH_LEAST = 64, /* and so many more */
-    REPLAN_PART = 3,   /* of all nodes, after which planning anew is cheaper */
 };
 
 /* A label that no node has: its difference to any label is that of no other node. */
@@ -179,7 +178,7 @@ ALWAYS void push_around(struct routes *routes, enum metric metric, int32_t gone)
 /* False: planning anew is cheaper. */
 ALWAYS bool settle_again(struct routes *routes, enum metric metric, int32_t gone)
 {
-    int32_t most = routes->lattice->nodes / REPLAN_PART;
+    int32_t most = routes->lattice->nodes;
     push_around(routes, metric, gone);
     search(routes, metric, SEARCH_LEAST + gone / SEARCH_PART, gone);
     move_rest(routes, metric, gone);
