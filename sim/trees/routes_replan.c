@@ -1,8 +1,10 @@
 /* Ways after some weights have changed. Those that led over a changed edge are forgotten, and found again from their
  * neighbours outwards. Soon after, what lies beyond has mostly moved by one and the same sum: it is moved, not found,
  * and the search goes on from its borders alone. */
+#include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "routes_work.h"
 
 enum {
@@ -229,6 +231,15 @@ static int32_t forget_changed(struct routes *routes, struct rectangle changed, i
     return gone;
 }
 
+static bool make_room(struct routes *routes)
+{
+    size_t nodes = (size_t)routes->lattice->nodes, bytes = 0;
+    int32_t *stack = realloc(routes->stack, 2 * nodes * sizeof *stack);
+    routes->stack = stack ? stack : routes->stack;
+    routes->before = stack ? memory_take(nodes, sizeof *routes->before, &bytes) : NULL;
+    return routes->before;
+}
+
 bool routes_replan(struct routes *routes, struct rectangle changed)
 {
     const struct lattice *lattice = routes->lattice;
@@ -236,6 +247,10 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
         return routes_plan(routes, routes->metric, routes->emphasis, routes->seeds, routes->seed_count);
     }
     changed = rectangle_clip(changed, lattice->width, lattice->height);
+    if (!routes->before && !make_room(routes)) {
+        routes_forget(routes);
+        return false;
+    }
     memcpy(routes->before, routes->label, (size_t)lattice->nodes * sizeof *routes->before);
     routes_start_queue(routes);
     int32_t gone = forget_changed(routes, changed, find_opened(routes, changed));
