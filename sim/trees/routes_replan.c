@@ -82,12 +82,12 @@ ALWAYS int32_t expand_again(struct routes *routes, enum metric metric, int32_t n
         if (edge == 0) {
             continue;
         }
-        uint64_t there = routes_extend(metric, label, edge, counted), before = routes->label[next];
+        uint64_t offer = routes_extend(metric, label, edge, counted), before = routes->label[next];
         if (metric != METRIC_CUMULATIVE && before != ROUTES_UNKNOWN &&
-            routes_comes_before(routes, metric, there, before) && is_worse_beyond(there, before)) {
+            routes_comes_before(routes, metric, offer, before) && is_worse_beyond(offer, before)) {
             gone = forget_beyond(routes, next, base);
         }
-        routes_offer(routes, metric, there, node, next);
+        routes_offer(routes, metric, offer, node, next);
         for (int32_t i = 1; i < gone; i++) {
             find_again(routes, metric, routes->stack[base + i] >> DIRECTION_BITS);
         }
