@@ -164,17 +164,17 @@ static void it_comes_back_as_it_was(void **state)
     keep_found_finish(&found);
 }
 
-/* Three lives of one painting: in the end its journal holds all of them, and paints it from the first tick. */
 static void its_folder_is_made_with_those_above_it(void **state)
 {
     (void)state;
     struct keep_report report;
     struct keep_found found;
     leave_painting_in("not/yet/there", 20, &report);
-    assert_true(keep_find("not/yet/there", &found));
+    assert_true(keep_find("not/yet/there", PATIENCE_S, &found));
     keep_found_finish(&found);
 }
 
+/* Three lives of one painting: in the end its journal holds all of them, and paints it from the first tick. */
 static void its_journal_goes_on_over_crashes(void **state)
 {
     (void)state;
