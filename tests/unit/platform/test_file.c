@@ -194,14 +194,10 @@ static void shows_paths_on_one_line(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(writes_and_replaces),
-        IN_FOLDER(keeps_to_the_umask),
-        IN_FOLDER(makes_folders),
-        IN_FOLDER(replaces_a_link_and_not_its_target),
-        IN_FOLDER(says_why_not),
-        IN_FOLDER(leaves_the_old_file_when_the_disk_is_full),
-        IN_FOLDER(knows_its_temporaries),
-        cmocka_unit_test(shows_paths_on_one_line),
+        IN_FOLDER(writes_and_replaces),   IN_FOLDER(keeps_to_the_umask),
+        IN_FOLDER(makes_folders),         IN_FOLDER(replaces_a_link_and_not_its_target),
+        IN_FOLDER(says_why_not),          IN_FOLDER(leaves_the_old_file_when_the_disk_is_full),
+        IN_FOLDER(knows_its_temporaries), cmocka_unit_test(shows_paths_on_one_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
