@@ -392,7 +392,7 @@ static int check(const struct bolt_order *order, int argc, char *argv[])
         fprintf(stderr, "frond bolt: nothing is asked for: -o FILE.png; see frond bolt --help\n");
         return EXIT_STATUS_USAGE;
     }
-    if (!good || (order->frames && !easel_make_folder(order->frames, &error))) {
+    if (!good || (order->frames && !file_make_folder(order->frames, &error))) {
         fprintf(stderr, "frond bolt: %s\n", error.text);
         return EXIT_STATUS_FAILED;
     }

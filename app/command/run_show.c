@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "command.h"
 #include "live_kiosk.h"
@@ -44,12 +43,8 @@ static int render_session(const char *path, const struct script *script)
     def.every = script->ticks > RUN_FRAMES ? script->ticks / RUN_FRAMES : 1;
     def.width = RUN_SCALE * script->width;
     def.height = RUN_SCALE * script->height;
-    if (mkdir(OUT, 0777) != 0 && errno != EEXIST) {
-        fprintf(stderr, "frond run: %s: the folder cannot be made: %s\n", OUT, strerror(errno));
-        return EXIT_STATUS_FAILED;
-    }
     struct progress progress = progress_start(picture, stderr);
-    if (!render(script, &def, &progress, &error)) {
+    if (!file_make_folder(OUT, &error) || !render(script, &def, &progress, &error)) {
         fprintf(stderr, "frond run: %s\n", error.text);
         return EXIT_STATUS_FAILED;
     }

@@ -73,7 +73,7 @@ static void keep(struct gallery *gallery, struct gallery_work *work)
     struct gallery_shelf shelf = {0};
     struct file_error error = {""};
     char stem[GALLERY_NAME];
-    bool good = gallery_make_folder(def->folder, &error) && gallery_scan(def->folder, &shelf, &error);
+    bool good = file_make_folder(def->folder, &error) && gallery_scan(def->folder, &shelf, &error);
     bool seen = good;
     if (good) {
         gallery_stem(next_number(gallery, &shelf), work->picture.unix_s, stem);
@@ -101,7 +101,7 @@ static void look_first(struct gallery *gallery)
 {
     struct gallery_shelf shelf = {0};
     struct file_error error = {""};
-    bool good = gallery_make_folder(gallery->def.folder, &error);
+    bool good = file_make_folder(gallery->def.folder, &error);
     if (good) {
         gallery_sweep(gallery->def.folder);
         good = gallery_scan(gallery->def.folder, &shelf, &error);

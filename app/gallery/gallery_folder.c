@@ -185,25 +185,3 @@ void gallery_sweep(const char *folder)
         closedir(all);
     }
 }
-
-bool gallery_make_folder(const char *folder, struct file_error *error)
-{
-    char path[PATH_MOST];
-    struct stat status;
-    if (strlen(folder) >= sizeof path) {
-        return file_fail_code(error, folder, ENAMETOOLONG);
-    }
-    if (stat(folder, &status) == 0) {
-        return S_ISDIR(status.st_mode) || file_fail_code(error, folder, ENOTDIR);
-    }
-    memcpy(path, folder, strlen(folder) + 1);
-    for (char *at = path + 1; *at; at++) {
-        if (*at == '/') {
-            *at = '\0';
-            mkdir(path, 0777); /* there, or told below */
-            *at = '/';
-        }
-    }
-    return mkdir(path, 0777) == 0 || (errno == EEXIST && stat(path, &status) == 0 && S_ISDIR(status.st_mode)) ||
-           file_fail_code(error, folder, errno);
-}

@@ -50,7 +50,4 @@ bool gallery_trim(const char *folder, struct gallery_shelf *shelf, int entries, 
 /* Removes what a writer that was killed has left behind (file_write_atomic's temporaries). For the only writer. */
 void gallery_sweep(const char *folder);
 
-/* A folder and those above it; there already is as good. */
-bool gallery_make_folder(const char *folder, struct file_error *error);
-
 #endif

@@ -23,7 +23,7 @@
 #include "studio_tell.h"
 
 struct keep_def {
-    const char *folder; /* made if it is not there; nobody else's */
+    const char *folder; /* made, with those above it, if it is not there; nobody else's */
     struct journal_head head;
     double every_s;                 /* from one checkpoint to the next, at least: 4 */
     double most_s;                  /* and at most, while something happens: 20 */

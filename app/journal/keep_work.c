@@ -3,8 +3,6 @@
 #include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -66,7 +64,7 @@ static void count_bytes(struct keep *keep, size_t size, int64_t ticked)
 static void make_folder(struct keep *keep, uint64_t generation)
 {
     if (!keep->folder_made) {
-        keep->folder_made = mkdir(keep->folder, 0755) == 0 || errno == EEXIST;
+        keep->folder_made = file_make_folder(keep->folder, NULL);
         keep_files_remove(keep->calls, keep->folder, generation, 0); /* what a killed write has left */
     }
 }

@@ -152,7 +152,7 @@ static bool check(const struct replay_def *def, struct file_error *error)
     return easel_check_file(def->picture, error) && easel_check_file(def->stats, error) &&
            easel_check_file(def->svg, error) &&
            (!def->video || (video_name(def->video, error) && easel_check_file(def->video, error))) &&
-           easel_make_folder(def->frames, error);
+           (!def->frames || file_make_folder(def->frames, error));
 }
 
 bool replay(const struct replay_def *def, struct progress *progress, struct replay_result *result,

@@ -40,18 +40,6 @@ bool easel_check_file(const char *path, struct file_error *error)
     return good;
 }
 
-bool easel_make_folder(const char *path, struct file_error *error)
-{
-    struct stat status;
-    if (!path) {
-        return true;
-    }
-    if (mkdir(path, 0777) == 0 || (errno == EEXIST && stat(path, &status) == 0 && S_ISDIR(status.st_mode))) {
-        return true;
-    }
-    return file_fail(error, path, "the folder cannot be made: %s", strerror(errno));
-}
-
 /* A GL context, which the engine of the GPU lives in. */
 static bool open_display(struct easel *easel, struct file_error *error)
 {

@@ -71,7 +71,5 @@ bool easel_write_plan(struct engine *engine, double paper_mm, const char *path, 
 
 /* What can be known to fail before there is anything to write. Whether a file of that name can be made; NULL can. */
 bool easel_check_file(const char *path, struct file_error *error);
-/* Makes a folder, or takes one that is there; NULL is none. */
-bool easel_make_folder(const char *path, struct file_error *error);
 
 #endif

@@ -164,7 +164,7 @@ bool render(const struct script *script, const struct render_def *def, struct pr
     struct easel_def easel = {def->engine, def->shaders, def->threads, def->dense};
     if (!easel_check_file(def->picture, error) || !easel_check_file(def->fields, error) ||
         !easel_check_file(def->stats, error) || !easel_check_file(def->journal, error) ||
-        !easel_check_file(def->svg, error) || !easel_make_folder(def->frames, error)) {
+        !easel_check_file(def->svg, error) || (def->frames && !file_make_folder(def->frames, error))) {
         return false;
     }
     bool good = running_open(&rendering.running, script, &easel, error) && open_picture(&rendering, error) &&

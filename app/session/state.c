@@ -1,24 +1,10 @@
 #include "state.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
-/* Makes the folder and those above it. */
-static bool make_folders(char *path)
-{
-    for (char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        bool good = mkdir(path, 0777) == 0 || errno == EEXIST;
-        *slash = '/';
-        if (!good) {
-            return false;
-        }
-    }
-    return true;
-}
+#include "file.h"
 
 bool state_path(const char *name, char *path, size_t size)
 {
@@ -31,5 +17,12 @@ bool state_path(const char *name, char *path, size_t size)
     } else if (home && home[0] == '/') {
         length = snprintf(path, size, "%s/.local/state/frond/%s", home, name);
     }
-    return length > 0 && (size_t)length < size && make_folders(path);
+    if (length <= 0 || (size_t)length >= size) {
+        return false;
+    }
+    char *slash = strrchr(path, '/');
+    *slash = '\0';
+    bool made = file_make_folder(path, NULL);
+    *slash = '/';
+    return made;
 }

@@ -34,9 +34,9 @@ struct display {
     bool flipped;         /* its lowest row is the panel's uppermost */
     bool closed, lost;
     char card[200], connector[32]; /* what def's pointers point to */
-    char why[300];                /* why this source was taken */
-    char note[400];               /* what the source says of itself */
-    char text[800];               /* display_describe */
+    char why[300];                 /* why this source was taken */
+    char note[400];                /* what the source says of itself */
+    char text[800];                /* display_describe */
     struct source_queue queue;
     int wakes[DISPLAY_WAKES], wake_count;
 };

@@ -6,7 +6,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <gpiod.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "source_device.h"

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 enum {
@@ -81,6 +82,23 @@ bool file_write_whole(int fd, const void *data, size_t size)
         size -= (size_t)written;
     }
     return true;
+}
+
+bool file_make_folder(const char *path, struct file_error *error)
+{
+    struct stat status;
+    char *whole = strdup(path);
+    for (char *slash = whole && *whole ? strchr(whole + 1, '/') : NULL; slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        mkdir(whole, 0777); /* there, or told below */
+        *slash = '/';
+    }
+    int code = !whole ? ENOMEM : mkdir(path, 0777) == 0 ? 0 : errno;
+    free(whole);
+    if (code == EEXIST) {
+        code = stat(path, &status) != 0 ? errno : S_ISDIR(status.st_mode) ? 0 : ENOTDIR;
+    }
+    return code == 0 || file_fail_code(error, path, code);
 }
 
 /* Opens the folder that holds `path`; *name becomes the last part of the path. */

@@ -36,6 +36,9 @@ bool file_write_atomic(const char *path, const void *data, size_t size, struct f
  * has left, and may go. */
 bool file_is_temporary(const char *name);
 
+/* Makes a folder, and those above it; one that is there already is as good. */
+bool file_make_folder(const char *path, struct file_error *error);
+
 /* What writing asks of the system, so that a test can have a disk that fails. Each as the call of its name. */
 struct file_calls {
     int (*openat)(int folder, const char *path, int flags, mode_t mode);

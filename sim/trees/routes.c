@@ -17,9 +17,8 @@ struct routes *routes_create(const struct lattice *lattice)
     routes->lattice = lattice;
     routes->label = memory_take(nodes, sizeof *routes->label, &bytes);
     routes->toward = memory_take(nodes, sizeof *routes->toward, &bytes);
-    routes->stack = memory_take(2 * nodes, sizeof *routes->stack, &bytes);
-    routes->before = memory_take(nodes, sizeof *routes->before, &bytes);
-    if (!route_queue_init(&routes->queue) || !routes->label || !routes->toward || !routes->stack || !routes->before) {
+    routes->stack = memory_take(nodes, sizeof *routes->stack, &bytes);
+    if (!route_queue_init(&routes->queue) || !routes->label || !routes->toward || !routes->stack) {
         routes_destroy(routes);
         return NULL;
     }

@@ -1,15 +1,16 @@
 /* Ways after some weights have changed. Those that led over a changed edge are forgotten, and found again from their
  * neighbours outwards. Soon after, what lies beyond has mostly moved by one and the same sum: it is moved, not found,
  * and the search goes on from its borders alone. */
+#include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "routes_work.h"
 
 enum {
     DIRECTION_BITS = 3,
-    SEARCH_PART = 8,   /* one in so many forgotten nodes is searched for before the rest is moved */
+    SEARCH_PART = 3, /* one in so many forgotten nodes, found by measuring, is searched for before the rest is moved; */
     SEARCH_LEAST = 64, /* and so many more */
-    REPLAN_PART = 3,   /* of all nodes, after which planning anew is cheaper */
 };
 
 /* A label that no node has: its difference to any label is that of no other node. */
@@ -81,12 +82,12 @@ ALWAYS int32_t expand_again(struct routes *routes, enum metric metric, int32_t n
         if (edge == 0) {
             continue;
         }
-        uint64_t there = routes_extend(metric, label, edge, counted), before = routes->label[next];
+        uint64_t offer = routes_extend(metric, label, edge, counted), before = routes->label[next];
         if (metric != METRIC_CUMULATIVE && before != ROUTES_UNKNOWN &&
-            routes_comes_before(routes, metric, there, before) && is_worse_beyond(there, before)) {
+            routes_comes_before(routes, metric, offer, before) && is_worse_beyond(offer, before)) {
             gone = forget_beyond(routes, next, base);
         }
-        routes_offer(routes, metric, there, node, next);
+        routes_offer(routes, metric, offer, node, next);
         for (int32_t i = 1; i < gone; i++) {
             find_again(routes, metric, routes->stack[base + i] >> DIRECTION_BITS);
         }
@@ -179,7 +180,7 @@ ALWAYS void push_around(struct routes *routes, enum metric metric, int32_t gone)
 /* False: planning anew is cheaper. */
 ALWAYS bool settle_again(struct routes *routes, enum metric metric, int32_t gone)
 {
-    int32_t most = routes->lattice->nodes / REPLAN_PART;
+    int32_t most = routes->lattice->nodes;
     push_around(routes, metric, gone);
     search(routes, metric, SEARCH_LEAST + gone / SEARCH_PART, gone);
     move_rest(routes, metric, gone);
@@ -230,6 +231,15 @@ static int32_t forget_changed(struct routes *routes, struct rectangle changed, i
     return gone;
 }
 
+static bool make_room(struct routes *routes)
+{
+    size_t nodes = (size_t)routes->lattice->nodes, bytes = 0;
+    int32_t *stack = realloc(routes->stack, 2 * nodes * sizeof *stack);
+    routes->stack = stack ? stack : routes->stack;
+    routes->before = stack ? memory_take(nodes, sizeof *routes->before, &bytes) : NULL;
+    return routes->before;
+}
+
 bool routes_replan(struct routes *routes, struct rectangle changed)
 {
     const struct lattice *lattice = routes->lattice;
@@ -237,6 +247,10 @@ bool routes_replan(struct routes *routes, struct rectangle changed)
         return routes_plan(routes, routes->metric, routes->emphasis, routes->seeds, routes->seed_count);
     }
     changed = rectangle_clip(changed, lattice->width, lattice->height);
+    if (!routes->before && !make_room(routes)) {
+        routes_forget(routes);
+        return false;
+    }
     memcpy(routes->before, routes->label, (size_t)lattice->nodes * sizeof *routes->before);
     routes_start_queue(routes);
     int32_t gone = forget_changed(routes, changed, find_opened(routes, changed));

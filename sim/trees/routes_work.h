@@ -17,8 +17,8 @@ struct routes {
     uint64_t *label;
     int32_t *toward;
     int32_t *seeds, seed_count, seed_room;
-    int32_t *stack;   /* nodes whose ways have gone; room for twice as many as there are */
-    uint64_t *before; /* labels before a replan */
+    int32_t *stack;   /* nodes whose ways have gone; room for all, from the first replan on for twice as many */
+    uint64_t *before; /* labels before a replan; NULL until the first */
     struct route_queue queue;
 };
 

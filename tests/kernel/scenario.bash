@@ -10,7 +10,7 @@
 #     scenes=(frames)
 #     frames() {                                               inside
 #         start probe "$build/..." --frames 20                 its output goes to probe.log in OUT
-#         check "a frame is shown" await probe 20 'frame 1'
+#         check "a frame is shown" await probe 'frame 1'
 #         check "a screenshot is taken" outside shot first     first.png in OUT
 #     }
 #     frames_before() { ...; }                                 here, before; may be left out
@@ -71,16 +71,17 @@ start() { # start NAME COMMAND...; what `tell` says is its standard input
 tell() { # tell NAME LINE
     printf '%s\n' "$2" >"$scratch/$1.in"
 }
+patience=180 # seconds that one thing is waited for: only what hangs takes so long, however slow the machine is
 # Until a line of the log holds the pattern; only lines after those that the last `await` of that name has seen.
 declare -A seen=()
-await() { # await NAME SECONDS PATTERN
-    local end=$((SECONDS + $2)) line at
+await() { # await NAME PATTERN
+    local end=$((SECONDS + patience)) line at
     local -a lines
     while :; do
         mapfile -t lines <"$out/$1.log"
         for ((at = ${seen[$1]:-0}; at < ${#lines[@]}; at++)); do
             line=${lines[at]}
-            if [[ $line =~ $3 ]]; then
+            if [[ $line =~ $2 ]]; then
                 seen[$1]=$((at + 1))
                 return 0
             fi
@@ -92,14 +93,21 @@ await() { # await NAME SECONDS PATTERN
 pause() { # sleeps without a process
     read -r -t "$1" <>"$scratch/clock" || true
 }
-ended() { # ended NAME SECONDS STATUS: it ends in that time, with that status
-    local end=$((SECONDS + $2)) status=0
+becomes() { # becomes WANTED COMMAND...: until the command prints that
+    local end=$((SECONDS + patience))
+    until [[ $("${@:2}") == "$1" ]]; do
+        ((SECONDS < end)) || equal "$("${@:2}")" "$1" || return
+        pause 0.1
+    done
+}
+ended() { # ended NAME STATUS: it ends, with that status
+    local end=$((SECONDS + patience)) status=0
     while kill -0 "${pid[$1]}" 2>/dev/null; do
         ((SECONDS < end)) || return 1
         pause 0.1
     done
     wait "${pid[$1]}" || status=$?
-    equal "$status" "$3"
+    equal "$status" "$2"
 }
 # As the command of that name, without its three processes. For one asker at a time: the scene, while no probe asks.
 outside() {
@@ -120,8 +128,8 @@ flips_from_now() {
 flips() {
     grep 'drm_vblank_event_delivered:' /sys/kernel/tracing/trace | grep -vc 'file=0*,'
 }
-await_flips() { # await_flips COUNT SECONDS
-    local end=$((SECONDS + $2))
+await_flips() { # await_flips COUNT
+    local end=$((SECONDS + patience))
     until (($(flips) >= $1)); do
         ((SECONDS < end)) || return 1
         pause 0.3
@@ -130,6 +138,11 @@ await_flips() { # await_flips COUNT SECONDS
 descriptors() { # descriptors NAME: how many files it has open
     local -a open=("/proc/${pid[$1]}/fd/"*)
     printf '%d\n' ${#open[@]}
+}
+up_us() { # microseconds since the machine began, in steps of 10 ms, rounded up
+    local seconds parts
+    IFS='. ' read -r seconds parts _ </proc/uptime
+    printf '%d\n' $((1000000 * seconds + 10000 * (10#$parts + 1)))
 }
 resident() { # resident NAME: memory in KiB
     awk '/^VmRSS:/ { print $2 }' "/proc/${pid[$1]}/status"

@@ -3,8 +3,9 @@
 #include <string.h>
 
 #include "kiosk_state.h"
+#include "patience.h"
 
-static const double STEP_S = 0.010, BEHIND_S = 0.2, PATIENCE_S = 60, LOOK_S = 0.1, REST_S = 0.12, LONG_REST_S = 4.5;
+static const double STEP_S = 0.010, BEHIND_S = 0.2, LOOK_S = 0.1, REST_S = 0.12, LONG_REST_S = 4.5;
 
 static float place(struct soak *soak)
 {

@@ -83,10 +83,11 @@ static void paint_until(struct keep_case *one, int64_t ticked)
 }
 
 /* As many ticks as are kept; leaves the files, as a crash would. */
-static void leave_painting(int64_t ticked, struct keep_report *report)
+static void leave_painting_in(const char *folder, int64_t ticked, struct keep_report *report)
 {
     struct keep_def def = quick_def();
     struct keep_case one;
+    def.folder = folder;
     struct keep *keep = keep_create(&def, NULL);
     assert_non_null(keep);
     keep_visit(keep, true);
@@ -95,6 +96,11 @@ static void leave_painting(int64_t ticked, struct keep_report *report)
     *report = keep_report(keep);
     keep_destroy(keep);
     keep_case_close(&one);
+}
+
+static void leave_painting(int64_t ticked, struct keep_report *report)
+{
+    leave_painting_in("state", ticked, report);
 }
 
 /* What comes back is the painting as it was at that tick. */
@@ -156,6 +162,16 @@ static void it_comes_back_as_it_was(void **state)
     assert_int_equal(found.sheet.ink_count, 3);
     assert_true(found.journal.size > 0);
     assert_is_painting(&found, *state);
+    keep_found_finish(&found);
+}
+
+static void its_folder_is_made_with_those_above_it(void **state)
+{
+    (void)state;
+    struct keep_report report;
+    struct keep_found found;
+    leave_painting_in("not/yet/there", 20, &report);
+    assert_true(keep_find("not/yet/there", PATIENCE_S, &found));
     keep_found_finish(&found);
 }
 
@@ -542,6 +558,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(it_comes_back_as_it_was),
         IN_FOLDER(repeating_ends_in_time),
+        IN_FOLDER(its_folder_is_made_with_those_above_it),
         IN_FOLDER(its_journal_goes_on_over_crashes),
         IN_FOLDER(nothing_is_written_when_nobody_paints),
         IN_FOLDER(nothing_is_written_while_nothing_happens),

@@ -84,12 +84,17 @@ static void paint_for_ever(struct place *place)
     if (!keep_case_open(&one, keep, good ? &found : NULL) || !keep_case_is_right(&one, &place->table)) {
         _exit(4);
     }
-    uint64_t generation = good ? found.generation : place->shared->generation + 1;
+    uint64_t generation = good ? found.generation : 1; /* nothing was kept: as the keep counts */
     place->shared->generation = generation;
     place->shared->ticks = one.engine->ops->ticks(one.engine);
     place->shared->begun = true;
-    for (;;) {
-        if (one.engine->ops->ticks(one.engine) >= SHEET_TICKS) {
+    for (int64_t most = SHEET_TICKS;;) {
+        int64_t ticks = one.engine->ops->ticks(one.engine);
+        if (ticks >= most) {
+            while (keep_report(keep).kept_ticked < ticks) { /* a disk that is sheets behind loses them */
+                nap(1);
+            }
+            most = ticks + 1; /* no sheet is as long as one before, so that what is kept is of this one */
             keep_case_fresh(&one);
             place->shared->generation = ++generation;
             place->shared->ticks = 0;

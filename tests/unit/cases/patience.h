@@ -1,6 +1,6 @@
-/* How long a test waits for what must come: only a thing that hangs takes so long, however slow the machine is. Less than
- * any time limit of CTest (frond_unit, frond_sanitized), so that the test can say what it has waited for. SLOWER: a
- * sanitizer looks on; limits are longer by that factor, and less may be run. */
+/* How long a test waits for what must come: only a thing that hangs takes so long, however slow the machine is. Less
+ * than any time limit of CTest (frond_unit, frond_sanitized), so that the test can say what it has waited for. SLOWER:
+ * a sanitizer looks on; limits are longer by that factor, and less may be run. */
 #ifndef FROND_PATIENCE_H
 #define FROND_PATIENCE_H
 

@@ -176,10 +176,10 @@ static gboolean answer(UMockdevIoctlBase *handler, UMockdevIoctlClient *client, 
         umockdev_ioctl_client_complete(client, 0, 0);
         return TRUE;
     }
-    unsigned char bytes[1024] = {0};
+    unsigned char bytes[1 << _IOC_SIZEBITS] = {0};
     size_t size = _IOC_SIZE(request);
     UMockdevIoctlData *data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, size, NULL);
-    if (!data || size > sizeof bytes) {
+    if (!data) {
         return FALSE;
     }
     if (_IOC_NR(request) == _IOC_NR(EVIOCGMTSLOTS(0))) {

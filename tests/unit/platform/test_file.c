@@ -55,6 +55,22 @@ static void writes_and_replaces(void **state)
     assert_string_equal(error.text, "");
 }
 
+static void makes_folders(void **state)
+{
+    (void)state;
+    struct file_error error;
+    assert_true(file_make_folder("a/b/c", &error));
+    assert_true(file_make_folder("a/b/c", &error)); /* there already */
+    assert_true(file_make_folder("a/d/", NULL));
+    assert_true(file_write_atomic("a/b/c/file", "x", 1, &error));
+    assert_false(file_make_folder("a/b/c/file", &error));
+    assert_string_equal(error.text, "a/b/c/file: a part of its path is not a folder");
+    assert_false(file_make_folder("a/b/c/file/e", &error));
+    assert_string_equal(error.text, "a/b/c/file/e: a part of its path is not a folder");
+    assert_false(file_make_folder("", &error));
+    assert_string_equal(error.text, ": there is no such file or folder");
+}
+
 static void keeps_to_the_umask(void **state)
 {
     (void)state;
@@ -178,13 +194,10 @@ static void shows_paths_on_one_line(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(writes_and_replaces),
-        IN_FOLDER(keeps_to_the_umask),
-        IN_FOLDER(replaces_a_link_and_not_its_target),
-        IN_FOLDER(says_why_not),
-        IN_FOLDER(leaves_the_old_file_when_the_disk_is_full),
-        IN_FOLDER(knows_its_temporaries),
-        cmocka_unit_test(shows_paths_on_one_line),
+        IN_FOLDER(writes_and_replaces),   IN_FOLDER(keeps_to_the_umask),
+        IN_FOLDER(makes_folders),         IN_FOLDER(replaces_a_link_and_not_its_target),
+        IN_FOLDER(says_why_not),          IN_FOLDER(leaves_the_old_file_when_the_disk_is_full),
+        IN_FOLDER(knows_its_temporaries), cmocka_unit_test(shows_paths_on_one_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,15 +20,20 @@
 #include "folder_case.h"
 #include "image.h"
 #include "image_format.h"
+#include "patience.h"
 
 #define SAMPLES IMAGE_SAMPLES "/"
 
-enum { OUTSIDE = 40 }; /* a descriptor that helpers must not inherit */
+enum {
+    OUTSIDE = 40, /* a descriptor that helpers must not inherit */
+    MOST_S = 600, /* of image_def */
+};
 
 static struct image_def def(void)
 {
     struct image_def def = image_default_def();
     def.helper = IMAGE_HELPER;
+    def.seconds = def.write_seconds = (int)PATIENCE_S < (int)MOST_S ? (int)PATIENCE_S : (int)MOST_S;
     return def;
 }
 
@@ -360,6 +365,7 @@ static void survives_bad_helpers(void **state)
     (void)state;
     struct image_def own = def();
     own.helper = "./none";
+    own.seconds = 10;
     assert_int_equal(symlink(SAMPLES "rgb.png", "a.png"), 0);
     assert_refused("a.png", &own, "a.png: the picture helper is missing: ./none");
     own.helper = "./helper";

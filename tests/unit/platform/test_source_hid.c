@@ -337,7 +337,8 @@ static void test_map_and_lamps(void **state)
         rest(bench, 20);
     }
     assert_memory_equal(bytes, ((uint8_t[]){0, 0, 128, 0, 0, 0, 0, 0, 0}), 9);
-    for (int i = 0; i < PATIENCE_MS / 20 && hid_mock_written(bench->mock, mouse, bytes, sizeof bytes, &count) == 0; i++) {
+    for (int i = 0; i < PATIENCE_MS / 20 && hid_mock_written(bench->mock, mouse, bytes, sizeof bytes, &count) == 0;
+         i++) {
         rest(bench, 20);
     }
     assert_memory_equal(bytes, ((uint8_t[]){4, 1}), 2);
