@@ -78,9 +78,11 @@ static bool add_stock(const struct feeder *feeder, const struct exhibit_scene *s
     struct exhibit_pictures pictures = exhibit_pictures(exhibit);
     const char *path = scene->picture ? scene->picture : pictures.count > 0 ? pictures.paths[0] : "";
     struct script_picture picture = {0};
-    bool good = feeder->def.load.load
-                    ? feeder->def.load.load(feeder->def.load.data, exhibit->folder, path, &picture, error)
-                    : file_fail(error, path, "pictures cannot be read here");
+    const struct script_def *load = &feeder->def.load;
+    bool good = load->load && load->load(load->data, exhibit->folder, path, &picture, error);
+    if (!load->load) {
+        file_fail(error, path, "pictures cannot be read here");
+    }
     if (good) {
         struct action action = action_default(ACTION_STOCK);
         int longer = picture.width > picture.height ? picture.width : picture.height;
