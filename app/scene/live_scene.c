@@ -130,11 +130,11 @@ bool live_scene_has_newer(struct live_scene *live)
     return newer;
 }
 
-/* With the lock. Ticks of what is calm can wait. */
+/* With the lock. Ticks of what is calm can wait, and show nothing when they are done. */
 static bool is_calm(const struct live_scene *live)
 {
-    return !inbox_any(&live->inbox) && (live->behind == 0 || live->calm) && !live->works && !live->wanted &&
-           !live->hands;
+    bool done = live->calm || (live->behind == 0 && !live->works);
+    return done && !inbox_any(&live->inbox) && !live->wanted && !live->hands;
 }
 
 bool live_scene_is_calm(struct live_scene *live)

@@ -63,6 +63,7 @@ static void resize(struct live_scene *live, int width, int height)
     live->cells = width;
     if (live->sheet.kind != SCENE_PAINTING) {
         inbox_resize(&live->inbox, width, height);
+        live->calm = false;
     }
 }
 

@@ -44,8 +44,8 @@ static void resize(struct live_scene *live, const struct live_order *order, doub
     live->scene_height = order->height;
     if (live->scene) {
         type_of(live)->resize(live->scene, order->width, order->height);
-        live_scene_want(live, now_s);
     }
+    live_scene_want(live, now_s);
 }
 
 /* As in a plot, the scene is there from the first action on that is for its kind alone. */
