@@ -57,6 +57,6 @@ void device_explain(char *text, size_t size, const char *path, int code, const c
         snprintf(text, size, "no permission: Frond's user must be in the group '%.32s' (SupplementaryGroups=%.32s)",
                  found->gr_name, found->gr_name);
     } else {
-        snprintf(text, size, "no permission; udev rule: %s", rule);
+        snprintf(text, size, "no permission; add the udev rule %s", rule);
     }
 }

@@ -41,7 +41,7 @@ static void devices_are_listed_with_what_they_lack(void **state)
                                              .path = "/dev/hidraw0",
                                              .port = "usb-1.2",
                                              .admitted = true,
-                                             .trouble = "no permission; udev rule: X"},
+                                             .trouble = "no permission; add the udev rule X"},
                                             {.class = DEVICE_KEYBOARD, .name = "Keys", .path = "/dev/hidraw1"}};
     struct device_error error;
     struct inputs *inputs = open_inputs();
@@ -55,7 +55,7 @@ static void devices_are_listed_with_what_they_lack(void **state)
     devices_print(sources, out);
     fclose(out);
     assert_non_null(strstr(text, "controller 'Knob' 077d:0410 /dev/hidraw0 at usb-1.2, admitted\n"
-                                 "    missing: no permission; udev rule: X\n"
+                                 "    missing: no permission; add the udev rule X\n"
                                  "keyboard 'Keys' /dev/hidraw1, not admitted\n"));
     free(text);
     struct event event = {.source = SOURCE_FAKE};

@@ -238,7 +238,7 @@ static void test_no_permission_names_the_group(void **state)
     device_explain(text, sizeof text, "/etc/shadow", EBUSY, "X");
     assert_string_equal(text, "cannot be opened: Device or resource busy");
     device_explain(text, sizeof text, "/nowhere", EACCES, "X");
-    assert_string_equal(text, "no permission; udev rule: X");
+    assert_string_equal(text, "no permission; add the udev rule X");
 }
 
 int main(void)

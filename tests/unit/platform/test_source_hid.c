@@ -409,8 +409,8 @@ static void test_permission(void **state)
         assert_int_equal(seteuid(65534), 0);
     }
     open_controllers(bench);
-    wait_for_line(bench,
-                  "no permission; udev rule: SUBSYSTEM==\"hidraw\", KERNELS==\"*:1209:0001.*\", GROUP=\"input\"");
+    wait_for_line(
+        bench, "no permission; add the udev rule SUBSYSTEM==\"hidraw\", KERNELS==\"*:1209:0001.*\", GROUP=\"input\"");
     rest(bench, 1500);
     assert_null(strstr(strstr(bench->log, "no permission") + 1, "no permission")); /* said once */
     struct device device;

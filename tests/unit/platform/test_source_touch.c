@@ -237,7 +237,8 @@ static void test_no_permission_says_what_to_do(void **state)
     assert_int_equal(seteuid(65534), 0);
     listen(bench, &(struct source_touch_def){.touchscreens = true});
     assert_int_equal(seteuid(0), 0);
-    expect_line(bench, "touchscreen 'Glass' (/dev/input/event0): no permission; udev rule: SUBSYSTEM==\"input\"");
+    expect_line(bench,
+                "touchscreen 'Glass' (/dev/input/event0): no permission; add the udev rule SUBSYSTEM==\"input\"");
     struct device device = {0};
     assert_int_equal(bench->source->ops->devices(bench->source, &device, 1), 1);
     assert_true(device.admitted);
